@@ -14,13 +14,18 @@
 
 #include "vtkActor.h"
 #include "vtkBillboardTextActor3D.h"
+#include "vtkCellArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeRange.h"
 #include "vtkFlagpoleLabel.h"
 #include "vtkImageMapper3D.h"
 #include "vtkImageSlice.h"
 #include "vtkMapper.h"
 #include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkSelection.h"
 #include "vtkSkybox.h"
 #include "vtkTextActor3D.h"
 
@@ -67,9 +72,8 @@ bool BlendsByItself(vtkMapper* mapper)
 /** Returns true if VTK draws the whole actor as translucent. Blocks of a composite mapper are looked at one by one. */
 bool IsTranslucentAsAWhole(vtkActor* actor)
 {
-  return IsExactly<vtkCulledCompositePolyDataMapper>(actor->GetMapper())
-    ? actor->GetForceTranslucent()
-    : actor->HasTranslucentPolygonalGeometry() != 0;
+  return IsComposite(actor->GetMapper()) ? actor->GetForceTranslucent()
+                                         : actor->HasTranslucentPolygonalGeometry() != 0;
 }
 
 bool IsTransparent(vtkActor* actor)
@@ -81,6 +85,39 @@ bool HasClippingPlanes(vtkMapper* mapper)
 {
   vtkPlaneCollection* const planes = mapper->GetClippingPlanes();
   return planes && planes->GetNumberOfItems() > 0;
+}
+
+/** Returns true if there are polygons and strips only. Data that are not known may have others. */
+bool HasFacesAlone(vtkDataObject* data)
+{
+  if (auto* const mesh = vtkPolyData::SafeDownCast(data))
+  {
+    return mesh->GetNumberOfVerts() == 0 && mesh->GetNumberOfLines() == 0;
+  }
+  auto* const tree = vtkDataObjectTree::SafeDownCast(data);
+  if (!tree)
+  {
+    return false;
+  }
+  const auto children = vtk::Range(tree, vtk::DataObjectTreeOptions::SkipEmptyNodes);
+  return std::all_of(
+    children.begin(), children.end(), [](vtkDataObject* child) { return HasFacesAlone(child); });
+}
+
+/**
+ * Returns true if VTK offsets depths of what the actor draws. ParaView offsets lines and points, and has 0 for faces.
+ */
+bool HasOffsetDepths(vtkActor* actor, vtkPolyDataMapper* mapper)
+{
+  if (vtkMapper::GetResolveCoincidentTopology() == VTK_RESOLVE_OFF)
+  {
+    return false;
+  }
+  double factor = 0.0, units = 0.0;
+  mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+  return vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_POLYGON_OFFSET || factor != 0.0 ||
+    units != 0.0 || actor->GetProperty()->GetRepresentation() != VTK_SURFACE ||
+    mapper->GetNumberOfInputConnections(0) == 0 || !HasFacesAlone(mapper->GetInputDataObject(0, 0));
 }
 
 bool IsFar(const glm::dvec3& sums)
@@ -161,12 +198,12 @@ std::vector<PropRow> MakeRows()
         return BringTheirTable(mapper, ScalarsOf(mapper, mapper->GetInput()));
       } },
     { PropStage::Depths, PropEffect::ViewAlone,
-      "depths of what coincides are offset (vtkMapper::SetResolveCoincidentTopology)",
+      "depths of its faces, lines or points are offset (vtkMapper::SetResolveCoincidentTopology)",
       "it is drawn at other depths than its own",
-      [](Facts) { return vtkMapper::GetResolveCoincidentTopology() != VTK_RESOLVE_OFF; } },
+      [](Facts facts) { return HasOffsetDepths(facts.Actor, facts.Mapper); } },
     { PropStage::Depths, PropEffect::ViewAlone, "it has a selection (vtkMapper::SetSelection)",
       "the selection is drawn at other depths than its own",
-      [](Facts facts) { return facts.Mapper->GetSelection() != nullptr; } },
+      [](Facts facts) { return DrawsSelection(facts.Mapper); } },
     { PropStage::Depths, PropEffect::ViewAlone,
       "its edges or vertices are shown (EdgeVisibility, VertexVisibility)",
       "they are drawn at other depths than its faces",
@@ -372,6 +409,12 @@ const PropRow* FindPropRow(PropStage stage, const PropFacts& facts)
     }
   }
   return nullptr;
+}
+
+bool DrawsSelection(vtkMapper* mapper)
+{
+  vtkSelection* const selection = mapper->GetSelection();
+  return selection && selection->GetNumberOfNodes() > 0;
 }
 
 std::string Explain(const PropRow& row, vtkProp* prop)

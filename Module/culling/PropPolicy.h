@@ -18,6 +18,7 @@
 #include <vector>
 
 class vtkActor;
+class vtkMapper;
 class vtkPolyDataMapper;
 class vtkProp;
 
@@ -99,6 +100,9 @@ std::uint8_t NumberOf(const PropRow* row);
 
 /** Returns the first rule of a stage that applies, or null. */
 const PropRow* FindPropRow(PropStage stage, const PropFacts& facts);
+
+/** Returns true if a mapper has a selection to draw. It may be empty, as ParaView's is. */
+bool DrawsSelection(vtkMapper* mapper);
 
 /** Returns the rule in words, for a prop: "its class is not known (vtkVolume): where it is drawn is not known". */
 std::string Explain(const PropRow& row, vtkProp* prop);

@@ -2,12 +2,15 @@
 
 #include "culling/PartRules.h"
 #include "culling/PropPolicy.h"
+#include "culling/mappers/BlockParts.h"
 #include "scene/ActorRules.h"
+#include "scene/ClassName.h"
 #include "scene/CutProps.h"
 #include "scene/DrawingMapper.h"
 
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"
+#include "vtkOpenGLActor.h"
 #include "vtkOpenGLVertexBufferObject.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -95,9 +98,13 @@ bool SceneParts::LookAtAll(vtkProp* const* props, int count, std::vector<std::ui
  */
 void SceneParts::LookAnewIfSettingsChanged()
 {
-  const std::pair settings{ vtkMapper::GetResolveCoincidentTopology(),
-    vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() };
-  if (std::exchange(this->Settings, settings) != settings)
+  ProgramSettings now;
+  now.Coincident = vtkMapper::GetResolveCoincidentTopology();
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(now.Factor, now.Units);
+  now.IsShifted = vtkOpenGLVertexBufferObject::GetGlobalCoordShiftAndScaleEnabled() != 0;
+  const ProgramSettings before = std::exchange(this->Settings, now);
+  if (before.Coincident != now.Coincident || before.Factor != now.Factor ||
+    before.Units != now.Units || before.IsShifted != now.IsShifted)
   {
     for (Part& part : this->Parts)
     {
@@ -152,7 +159,7 @@ void SceneParts::Look(std::uint32_t i)
   }
   part.ViewAloneBy = FindPropRow(PropStage::Depths, FactsOf(part));
   part.IsOfViewAlone = part.ViewAloneBy != nullptr;
-  part.Divided = part.IsOfViewAlone ? nullptr : DividedMapperOf(part.Mapper);
+  part.Divided = part.IsOfViewAlone ? nullptr : DividerOf(part);
   part.Division = part.Divided ? part.Divided->PartsFor(part.Actor, this->Looks) : nullptr;
   if (!part.Division)
   {
@@ -166,7 +173,10 @@ void SceneParts::LookAtMapper(Part& part)
   part.SurfaceMapper = SurfaceMapperOf(part.Actor);
   part.HasSurfaceMapper = part.SurfaceMapper != nullptr;
   part.SurfaceMapperTime = part.SurfaceMapper ? part.SurfaceMapper->GetMTime() : 0;
+  part.HasLevels = !IsExactly<vtkOpenGLActor>(part.Actor);
+  part.OfActor = part.Actor->GetMapper();
   part.Mapper = DrawingMapperOf(part.Actor);
+  part.HasSelection = part.Mapper && DrawsSelection(part.Mapper);
   if (!part.Mapper)
   {
     return;
@@ -187,6 +197,21 @@ void SceneParts::LookAtMapper(Part& part)
   part.InputTime = hasFilter ? part.Input->GetMTime() : 0;
   part.Filter = hasFilter ? part.Mapper->GetInputAlgorithm() : nullptr;
   part.FilterTime = hasFilter ? part.Filter->GetMTime() : 0;
+}
+
+/** Returns what divides a part, or null. VTK's own composite mapper is divided here. */
+DividedMapper* SceneParts::DividerOf(Part& part)
+{
+  if (!IsCompositeMapperOfVTK(part.Mapper))
+  {
+    part.Blocks.reset();
+    return DividedMapperOf(part.Mapper);
+  }
+  if (!part.Blocks || !part.Blocks->IsOf(part.Mapper))
+  {
+    part.Blocks = std::make_shared<BlockParts>(static_cast<VITRINE_COMPOSITE_MAPPER*>(part.Mapper));
+  }
+  return part.Blocks.get();
 }
 
 PropFacts SceneParts::FactsOf(const Part& part) const
@@ -309,7 +334,7 @@ std::shared_ptr<const ShownParts> SceneParts::TellMapper(vtkRenderer* renderer,
   const ViewMatrices& view, int i, const std::vector<std::uint8_t>& visible) const
 {
   const Part& part = this->Parts[this->Drawn[static_cast<std::size_t>(i)]];
-  if (part.Pieces.empty())
+  if (part.Pieces.empty() || part.Blocks)
   {
     return nullptr;
   }

@@ -32,6 +32,7 @@ class vtkTrivialProducer;
 namespace vitrine
 {
 
+class BlockParts;
 class RendererView;
 struct CullingDecision;
 struct PropFacts;
@@ -143,6 +144,9 @@ public:
   /** Returns true if there are props that are always drawn. They may draw more if any prop is translucent. */
   bool HasOthersThanParts() const;
 
+  /** Lets all blocks of a prop show that is drawn as a whole, if any of them does. */
+  void ShowWhole(std::vector<std::uint8_t>& visible) const;
+
   /**
    * Lets one translucent prop show, if there are any and all of them would be left out.
    * @param visible  one byte per part; becomes `reason` for the parts of that prop
@@ -185,15 +189,18 @@ private:
     vtkPolyData* Data = nullptr;
     vtkMTimeType DataTime = 0;
     std::shared_ptr<PartGeometry> Geometry;
-    DividedMapper* Divided = nullptr;            ///< the mapper, if it may draw parts one by one
-    std::shared_ptr<const MapperParts> Division; ///< null if it does not draw them so
+    DividedMapper* Divided = nullptr;            ///< what divides it into parts
+    std::shared_ptr<const MapperParts> Division; ///< null if it is one part
     bool HasTextures = false;
     bool IsOpaque = false; ///< textures aside
     bool MayHide = false;
-    bool HasBackFaces = true; ///< back faces are drawn
-    bool IsWireframe = false;
+    bool HasBackFaces = true;   ///< back faces are drawn
     bool IsOfViewAlone = false; ///< only the view hides it
     bool HasSurfaceMapper = false;
+    bool HasSelection = false; ///< its mapper draws a selection
+    bool HasLevels = false;    ///< the actor may take another mapper, and no time tells of it
+    vtkMapper* OfActor = nullptr;
+    bool IsWireframe = false;
     /** From model coordinates (MC) to world coordinates (WC) relative to Origin(). */
     glm::dmat4 ToWorld{ 1.0 };
     glm::dmat4 FromWorld{ 1.0 };
@@ -211,11 +218,22 @@ private:
     vtkAlgorithm* Filter = nullptr;
     vtkMTimeType FilterTime = 0;
     PipelineState Pipeline;
+    /** The blocks of VTK's own composite mapper, which draws all of them or none. Null for other mappers. */
+    std::shared_ptr<BlockParts> Blocks;
     /** The rule by which it is always drawn. Null if it may be left out. */
     const PropRow* AlwaysDrawnBy = nullptr;
     const PropRow* ViewAloneBy = nullptr; ///< the rule for IsOfViewAlone; null if that is false
     /** A rule by which it hides nothing in any frame; null if there is none. */
     const PropRow* HidesNothingBy = nullptr;
+  };
+
+  /** Settings of VTK of which no time of a part tells. */
+  struct ProgramSettings
+  {
+    int Coincident = 0; ///< VTK_RESOLVE_OFF and so on
+    double Factor = 0.0;
+    double Units = 0.0; ///< of the offset of polygons
+    bool IsShifted = false;
   };
 
   class Shapes;
@@ -252,6 +270,7 @@ private:
   static bool AreDataMadeAlready(const Part& part);
   void Look(std::uint32_t i);
   void LookAtMapper(Part& part);
+  static DividedMapper* DividerOf(Part& part);
   void LookAtData(Part& part, const PartGeometry* before);
   void ReadActor(Part& part);
   static DeviceCoordinates CoordinatesOf(const Part& part);
@@ -289,7 +308,7 @@ private:
   bool HasMadeData = false;     ///< a filter has made data since all parts were last looked at
   bool HasImagesToMake = false; ///< drawing has images of textures to make
   LooseOctree Boxes;
-  std::pair<int, vtkTypeBool> Settings{}; ///< settings of the whole program at the last update
+  ProgramSettings Settings; ///< settings of the whole program at the last update
   glm::dvec3 Middle{ 0.0 };
   Extremes ExtremesOfHideable;
   Extremes ExtremesOfViewAlone;

@@ -3,6 +3,7 @@
 #include "culling/SceneParts.h"
 
 #include "culling/PartChunks.h"
+#include "culling/PropPolicy.h"
 #include "scene/ActorRules.h"
 
 #include "vtkActor.h"
@@ -184,11 +185,12 @@ bool SceneParts::IsUnchanged(std::uint32_t i) const
   {
     return true;
   }
-  return ShaderPropertyOf(prop) == part.Shader &&
+  return (!part.HasLevels || part.Actor->GetMapper() == part.OfActor) &&
+    ShaderPropertyOf(prop) == part.Shader &&
     (!part.Shader || part.Shader->GetMTime() == part.ShaderTime) &&
     (!part.HasSurfaceMapper || part.SurfaceMapper->GetMTime() == part.SurfaceMapperTime) &&
     part.Mapper->GetMTime() == part.MapperTime && !MaySetUniforms(part.Mapper) &&
-    AreDataMadeAlready(part) &&
+    DrawsSelection(part.Mapper) == part.HasSelection && AreDataMadeAlready(part) &&
     (!part.Divided || part.Divided->PartsFor(part.Actor, this->Looks) == part.Division) &&
     (part.Division || part.Geometry->TimeOf(part.Data, this->Looks) == part.DataTime);
 }

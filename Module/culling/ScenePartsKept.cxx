@@ -22,6 +22,22 @@ bool SceneParts::HasOthersThanParts() const
   return false;
 }
 
+void SceneParts::ShowWhole(std::vector<std::uint8_t>& visible) const
+{
+  for (std::size_t i = 0; i < this->Drawn.size(); ++i)
+  {
+    const Part& part = this->Parts[this->Drawn[i]];
+    if (!part.Blocks || !this->Shows(i, visible))
+    {
+      continue;
+    }
+    for (const std::uint32_t piece : part.Pieces)
+    {
+      visible[piece] = visible[piece] == IsLeftOut ? MayShow : visible[piece];
+    }
+  }
+}
+
 void SceneParts::KeepOneTranslucent(std::vector<std::uint8_t>& visible, std::uint8_t reason) const
 {
   std::optional<std::uint32_t> leftOut;

@@ -289,6 +289,7 @@ void vtkHierarchicalSBufferCuller::CullHidden(
     known.HasBuffer = true;
   }
   parts.CullOutside(view.ProjectionOfViewAlone(), known.Visible);
+  parts.ShowWhole(known.Visible);
   KeepWhatOthersNeed(facts, known.Visible);
   this->KeepShown(renderer, propList, listLength);
   this->NumberOfBufferLines = culler.LineCount();

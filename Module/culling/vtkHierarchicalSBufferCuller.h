@@ -17,9 +17,10 @@
  * samples there.
  *
  * Opaque surfaces drawn by vtkPolyDataMapper are occluders. Actors of that mapper are culled. Blocks of
- * vtkCulledCompositePolyDataMapper and runs of vtkCulledPolyDataMapper are culled one by one. All other props are
- * drawn as always. GetCullingMode() and GetReason() tell what keeps the culler from leaving out all hidden props.
- * GetReason(prop) tells why a prop is drawn. docs/reference/culler-limits.md lists all reasons.
+ * vtkCulledCompositePolyDataMapper and runs of vtkCulledPolyDataMapper are culled one by one. Blocks of VTK's own
+ * composite mapper hide others one by one, and are left out together. All other props are drawn as always.
+ * GetCullingMode() and GetReason() tell what keeps the culler from leaving out all hidden props. GetReason(prop) tells
+ * why a prop is drawn. docs/reference/culler-limits.md lists all reasons.
  *
  * Parts that hide too little to be worth their time, such as screws and cables, can be marked by NON_OCCLUDING(). The
  * order of actors does not change. Culled actors build no buffers until they are visible.

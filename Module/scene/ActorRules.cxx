@@ -123,8 +123,10 @@ bool IsTrueOfTextures(vtkActor* actor, const Rule& rule)
 const std::vector<DrawnElsewhereRow>& DrawnElsewhereRows()
 {
   static const std::vector<DrawnElsewhereRow> rows = {
-    { "its class is not vtkOpenGLActor itself", "where it is drawn is not known",
-      [](vtkProp* prop) { return !IsExactly<vtkOpenGLActor>(prop); },
+    { "its class is neither vtkOpenGLActor itself nor ParaView's vtkPVLODActor",
+      "where it is drawn is not known",
+      [](vtkProp* prop)
+      { return !IsExactly<vtkOpenGLActor>(prop) && !IsExactlyOfClass(prop, "vtkPVLODActor"); },
       [](vtkProp* prop) { return std::string(prop->GetClassName()); } },
     { "it has no mapper", "there is nothing to be hidden",
       [](vtkProp* prop) { return !MapperOf(prop); } },

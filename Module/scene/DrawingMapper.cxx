@@ -8,6 +8,7 @@
 #include "vtkDataSetMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 #include <array>
@@ -24,6 +25,13 @@ namespace
  */
 constexpr std::array<const char*, 2> OwnMappers = { "vtkCulledCompositePolyDataMapper",
   "vtkCulledPolyDataMapper" };
+
+/** VTK's mapper of composite data that draws all of them from common buffers, at their points. */
+#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION < 3
+constexpr const char* CompositeMapper = "vtkCompositePolyDataMapper2";
+#else
+constexpr const char* CompositeMapper = "vtkCompositePolyDataMapper";
+#endif
 
 /** Gives access to a protected member of vtkDataSetMapper. The member's class differs between releases of VTK. */
 class AnyDataSetMapper : public vtkDataSetMapper
@@ -74,9 +82,15 @@ vtkPolyDataMapper* MapperWithin(vtkDataSetMapper* mapper)
 }
 }
 
+bool IsCompositeMapperOfVTK(vtkMapper* mapper)
+{
+  return IsExactlyOfClass(mapper, CompositeMapper);
+}
+
 bool IsKnownMapper(vtkMapper* mapper)
 {
   return IsExactly<vtkOpenGLPolyDataMapper>(mapper) || IsExactly<vtkDataSetMapper>(mapper) ||
+    IsCompositeMapperOfVTK(mapper) ||
     std::any_of(OwnMappers.begin(), OwnMappers.end(),
       [mapper](const char* name) { return IsExactlyOfClass(mapper, name); });
 }

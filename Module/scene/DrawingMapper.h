@@ -10,6 +10,9 @@ class vtkPolyDataMapper;
 namespace vitrine
 {
 
+/** Returns true if the mapper is VTK's own for composite data, whose blocks are parts (scene/PartNumbers.h). */
+bool IsCompositeMapperOfVTK(vtkMapper* mapper);
+
 /** Returns true if the mapper is of a class that draws polydata at its points, or delegates to such a mapper. */
 bool IsKnownMapper(vtkMapper* mapper);
 

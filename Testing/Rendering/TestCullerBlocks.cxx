@@ -366,6 +366,28 @@ TEST_P(CullerBlocks, BelongToActorsThatShareTheirMapper)
   EXPECT_GT(Scene.ExpectSame(), LayerSize);
 }
 
+TEST_P(CullerBlocks, OfVTKsMapperAreLeftOutTogether)
+{
+  this->AddWallAndLayer();
+  this->Plain->SetInputDataObject(this->Root);
+  this->Plain->SetCompositeDataDisplayAttributes(this->Attributes);
+  this->Actor->SetMapper(this->Plain);
+  EXPECT_EQ(Scene.ExpectSame(), 0) << "the wall shows";
+  vtkNew<vtkActor> behind;
+  behind->SetMapper(this->Plain);
+  behind->SetProperty(this->Actor->GetProperty());
+  behind->SetPosition(0.5, 0.0, -1.0);
+  behind->SetScale(0.1);
+  Scene.Renderer->AddActor(behind);
+  EXPECT_EQ(Scene.ExpectSame(), LayerSize + 1);
+  Scene.Culler->CullingOn();
+  Scene.Render();
+  EXPECT_EQ(Scene.Culler->GetNumberOfDrawnProps(), 1);
+  this->Attributes->SetBlockVisibility(this->Wall, false);
+  this->Plain->Modified();
+  EXPECT_LT(Scene.ExpectSame(), LayerSize + 1) << "the wall hides nothing more";
+}
+
 INSTANTIATE_TEST_SUITE_P(
   Settings, CullerBlocks, testing::ValuesIn(CullerSettings()), CullerSettingName);
 

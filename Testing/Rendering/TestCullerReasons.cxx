@@ -535,9 +535,9 @@ std::vector<PropCase> CasesOfWhatIsAlwaysDrawn()
 std::vector<PropCase> CasesOfWhatTheViewAloneHides()
 {
   return {
-    { PropStage::Depths, "what coincides", "",
-      Front([](ReasonScene&, vtkActor*)
-        { vtkMapper::SetResolveCoincidentTopologyToPolygonOffset(); }) },
+    { PropStage::Depths, "are offset", "",
+      Front(
+        [](ReasonScene&, vtkActor*) { vtkMapper::SetResolveCoincidentTopologyToShiftZBuffer(); }) },
     { PropStage::Depths, "selection", "",
       Front(
         [](ReasonScene&, vtkActor* front)

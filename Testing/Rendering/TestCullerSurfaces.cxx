@@ -320,6 +320,8 @@ TEST_P(CullerSurfaces, BlocksOfUnlikeOpacity)
   Scene.AddHidden();
   Scene.ExpectHidden(156);
   inFront->VisibilityOff();
+  Scene.ExpectHidden(157); // by the opaque block
+  mapper->SetBlockOpacity(1, 0.5);
   Scene.ExpectNothingHidden(157);
 }
 

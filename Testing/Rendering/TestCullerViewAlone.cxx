@@ -1,6 +1,7 @@
 // What others cannot hide is left out where it lies outside of the view, as VTK's own culler does, and nowhere else.
 #include "CullerScene.h"
 #include "vtkCamera.h"
+#include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMapper.h"
 #include "vtkPolyData.h"
@@ -37,7 +38,12 @@ std::vector<Look> LooksOfViewAlone()
       } },
     { "spheres", [](vtkActor* actor) { actor->GetProperty()->RenderPointsAsSpheresOn(); } },
     { "tubes", [](vtkActor* actor) { actor->GetProperty()->RenderLinesAsTubesOn(); } },
-    { "offset", [](vtkActor*) { vtkMapper::SetResolveCoincidentTopologyToPolygonOffset(); } },
+    { "offset",
+      [](vtkActor*)
+      {
+        vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+        vtkMapper::SetResolveCoincidentTopologyPolygonOffsetParameters(2.0, 2.0);
+      } },
     { "shift", [](vtkActor*) { vtkMapper::SetResolveCoincidentTopologyToShiftZBuffer(); } },
   };
 }
@@ -48,7 +54,11 @@ protected:
   void TearDown() override { this->ForgetSettings(); }
 
   // Those of the whole program.
-  static void ForgetSettings() { vtkMapper::SetResolveCoincidentTopologyToOff(); }
+  static void ForgetSettings()
+  {
+    vtkMapper::SetResolveCoincidentTopologyToOff();
+    vtkMapper::SetResolveCoincidentTopologyPolygonOffsetParameters(0.0, 0.0);
+  }
 
   // Begins a scene anew for each look.
   void ForEachLook(const std::function<void(const Look&)>& test)
@@ -172,12 +182,29 @@ TEST_P(CullerViewAlone, IsSelected)
   node->SetFieldType(vtkSelectionNode::POINT);
   node->SetSelectionList(chosen);
   vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
   part->GetMapper()->SetSelection(selection);
   part->GetProperty()->SetSelectionPointSize(15.0f);
+  EXPECT_EQ(Scene.ExpectSame(), 1) << "it is empty";
+  selection->AddNode(node); // which the mapper is not told
   EXPECT_EQ(Scene.ExpectSame(), 0);
   part->SetPosition(50.0, 0.0, 0.0);
   EXPECT_EQ(Scene.ExpectSame(), 1);
+}
+
+// ParaView offsets lines and points, and leaves faces at their depths.
+TEST_P(CullerViewAlone, IsNotForFacesWithoutOffset)
+{
+  Scene.AddWall();
+  const vtkSmartPointer<vtkActor> part = Scene.AddHidden().front();
+  const int all = Scene.ExpectSame();
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  EXPECT_EQ(Scene.ExpectSame(), all);
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell({ 0, 1 });
+  vtkPolyData::SafeDownCast(part->GetMapper()->GetInputDataObject(0, 0))->SetLines(line);
+  EXPECT_LT(Scene.ExpectSame(), all);
+  vtkMapper::SetResolveCoincidentTopologyPolygonOffsetParameters(0.0, 1.0);
+  EXPECT_EQ(Scene.ExpectSame(), 0);
 }
 
 // Of whom it is not known where they are drawn.

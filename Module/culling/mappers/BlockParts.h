@@ -2,13 +2,13 @@
 #define VITRINE_CULLING_MAPPERS_BLOCK_PARTS_H
 
 #include "culling/mappers/DividedMapper.h"
+#include "culling/mappers/vtkCulledCompositePolyDataMapper.h" // for its base
 
 #include "vtkType.h"
 
 #include <cstdint>
 
 class vtkCompositeDataDisplayAttributes;
-class vtkCulledCompositePolyDataMapper;
 class vtkDataObject;
 
 namespace vitrine
@@ -25,13 +25,16 @@ struct Blocks : MapperParts
 class BlockParts : public DividedMapper
 {
 public:
-  explicit BlockParts(vtkCulledCompositePolyDataMapper* mapper)
+  explicit BlockParts(VITRINE_COMPOSITE_MAPPER* mapper)
     : Mapper(mapper)
   {
   }
 
   /** Returns the parts, which are the same for all actors. Returns null if blocks bring lookup tables. */
   std::shared_ptr<const MapperParts> PartsFor(vtkActor* actor, vtkMTimeType frame) override;
+
+  /** Returns true if it is of the blocks of this mapper. */
+  bool IsOf(const vtkMapper* mapper) const { return this->Mapper == mapper; }
 
 private:
   /** A block or a group of blocks, and its time when it was looked at. */
@@ -68,7 +71,7 @@ private:
   glm::dvec3 FarthestCoordinates() const;
   void MakeParts();
 
-  vtkCulledCompositePolyDataMapper* Mapper;
+  VITRINE_COMPOSITE_MAPPER* Mapper;
   vtkMTimeType MapperTime = 0;
   std::vector<Node> Nodes;  ///< nodes; each comes after the group that holds it
   std::vector<Leaf> Leaves; ///< leaves, in ascending order of the addresses of their data
