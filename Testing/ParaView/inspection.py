@@ -70,6 +70,21 @@ def section_of_glass(folder):
     return max(wrong)
 
 
+@test("the picture without tiles", 0.0)
+def stripes_in_tiles(folder):
+    """ParaView draws a screenshot that is larger than the view in tiles. Stripes go on from tile to tile."""
+    view = new_view()
+    scenes.spheres(view, 2, 1.0)
+    ResetCamera(view)
+    settle(view, SectionPlane=1, SectionNormal=[0, 0, -1], SectionEdgeWidth=0)
+    tiles = picture(view, folder / "tiles.png", ImageResolution=[480, 400])
+    view.ViewSize = [480, 400]
+    whole = picture(view, folder / "whole.png", ImageResolution=[480, 400])
+    delete_all(view)
+    cap = slice(150, 250)  # in the middle of both directions, where tiles meet
+    return difference(tiles[cap, cap], whole[cap, cap])
+
+
 def loaded(folder, way):
     """The view that a state restores, which is saved in one of two ways."""
     if way == "pvsm":
@@ -101,6 +116,32 @@ def section_in_states(folder):
                 raise AssertionError(f"{way}: {name} is {found}, and was {value}")
         worst = max(worst, difference(before, picture(view, folder / "after.png")))
         delete_all(view)
+    return worst
+
+
+@test("the same view without", 0.0)
+def culling(folder):
+    """A wall hides blocks, and one of two blocks; glass is before it and behind."""
+    view = new_view()
+    scenes.show(Box(XLength=4, YLength=4, ZLength=0.2, Center=[0, 0, 2]), view)
+    scenes.show(scenes.blocks(), view, color=[0.2, 0.5, 0.8])
+    for i in range(6):
+        scenes.show(Sphere(Center=[i - 2, 1, -1], Radius=0.4), view, 0.3 if i % 2 else 1.0, [0.9, 0.5, 0.1])
+    scenes.show(Sphere(Center=[0, 0, 3], Radius=0.5), view, 0.3)
+    Render(view)  # a first one sets the camera
+    view.CameraFocalPoint, view.CameraViewUp = [0, 0, 0], [0, 1, 0]
+    worst = 0.0
+    for position, fewest in (([0.3, 0.2, 12], 4), ([5, 1, 8], 1), ([12, 1, -3], 0)):
+        view.CameraPosition = position
+        pictures = []
+        for view.Culling in (0, 1):
+            pictures.append(picture(view, folder / "culling.png"))
+            view.UpdatePropertyInformation()
+            reason, parts = (view.GetProperty(name)[0] for name in ("CullingReason", "NumberOfCulledParts"))
+            if reason or (parts < fewest if view.Culling else parts != 0):
+                raise AssertionError(f"{parts} parts are culled: {reason}")
+        worst = max(worst, difference(*pictures))
+    delete_all(view)
     return worst
 
 

@@ -16,7 +16,8 @@ constexpr int Tag = 5654;
 void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
 {
   stream << answers.Reason << static_cast<vtkTypeInt64>(answers.Fragments)
-         << static_cast<vtkTypeInt64>(answers.MostLayers) << answers.LayersProblem
+         << static_cast<vtkTypeInt64>(answers.MostLayers) << answers.CullingReason
+         << static_cast<vtkTypeInt64>(answers.CulledParts) << answers.LayersProblem
          << static_cast<unsigned int>(answers.Layers.size());
   for (const LayerOfPixel& layer : answers.Layers)
   {
@@ -27,11 +28,13 @@ void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
 FrameAnswers Read(vtkMultiProcessStream& stream)
 {
   FrameAnswers answers;
-  vtkTypeInt64 fragments = 0, layers = 0;
+  vtkTypeInt64 fragments = 0, layers = 0, culled = 0;
   unsigned int count = 0;
-  stream >> answers.Reason >> fragments >> layers >> answers.LayersProblem >> count;
+  stream >> answers.Reason >> fragments >> layers >> answers.CullingReason >> culled >>
+    answers.LayersProblem >> count;
   answers.Fragments = static_cast<vtkIdType>(fragments);
   answers.MostLayers = static_cast<vtkIdType>(layers);
+  answers.CulledParts = static_cast<vtkIdType>(culled);
   answers.Layers.resize(count);
   for (LayerOfPixel& layer : answers.Layers)
   {

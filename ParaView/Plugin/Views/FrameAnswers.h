@@ -28,6 +28,8 @@ struct FrameAnswers
   std::string Reason; ///< why the frame was not drawn exactly, or empty
   vtkIdType Fragments = 0;
   vtkIdType MostLayers = 0;
+  std::string CullingReason; ///< why less was left out than all that is hidden, or empty
+  vtkIdType CulledParts = 0;
   std::string LayersProblem; ///< why the layers cannot be told, or empty
   std::vector<LayerOfPixel> Layers;
 

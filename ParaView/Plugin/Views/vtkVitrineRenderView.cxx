@@ -6,8 +6,10 @@
 
 #include "vtkABufferTransparencyPass.h"
 #include "vtkClusteredLightsPass.h"
+#include "vtkCullerCollection.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorBudgetTransparencyPass.h"
+#include "vtkHierarchicalSBufferCuller.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVDataRepresentation.h"
@@ -51,6 +53,7 @@ struct vtkVitrineRenderView::Internals
 {
   vtkNew<vtkSeeThroughPass> Frame;
   vtkNew<vtkClusteredLightsPass> Lights;
+  vtkNew<vtkHierarchicalSBufferCuller> Culler;
   std::string Hindrance; ///< Why this process draws as ParaView does.
   bool IsTold = false;   ///< The hindrance was told.
   vitrine::SectionOfView Section;
@@ -94,6 +97,11 @@ struct vtkVitrineRenderView::Internals
     }
     answers.Fragments = this->Method()->GetNumberOfFragments();
     answers.MostLayers = this->Method()->GetMaximumNumberOfLayers();
+    if (renderer->GetCullers()->IsItemPresent(this->Culler))
+    {
+      answers.CullingReason = this->Culler->GetReason();
+      answers.CulledParts = this->Culler->GetNumberOfCulledParts();
+    }
     this->Layers.Find(renderer, answers);
     return answers;
   }
@@ -213,6 +221,31 @@ void vtkVitrineRenderView::SetClusteredLights(bool clustered)
 {
   Internals& in = *this->Private;
   in.Frame->SetLightingPass(clustered ? in.Lights.Get() : nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::SetCulling(bool culls)
+{
+  vtkHierarchicalSBufferCuller* const culler = this->Private->Culler;
+  this->GetRenderer()->RemoveCuller(culler);
+  if (culls && this->Private->Hindrance.empty())
+  {
+    this->GetRenderer()->AddCuller(
+      culler); // after ParaView's own, which leaves out all if a server draws
+  }
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+const char* vtkVitrineRenderView::GetCullingReason()
+{
+  return this->Private->Answers.CullingReason.c_str();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkVitrineRenderView::GetNumberOfCulledParts()
+{
+  return this->Private->Answers.CulledParts;
 }
 
 //------------------------------------------------------------------------------

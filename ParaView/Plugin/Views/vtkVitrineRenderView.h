@@ -80,6 +80,16 @@ public:
 
   ///@{
   /**
+   * Set whether a vtkHierarchicalSBufferCuller leaves out what others hide. The picture is the same. The default is
+   * false. Get why it left out less than all of that in the last frame, and how many parts it left out.
+   */
+  void SetCulling(bool culls);
+  const char* GetCullingReason();
+  vtkIdType GetNumberOfCulledParts();
+  ///@}
+
+  ///@{
+  /**
    * Set whether the view is cut by the plane through `origin`, which keeps the side of the normal, and by further
    * planes, six in all. The defaults are false, the origin, and the x axis; a normal need not have length 1. See
    * vtkSection.
