@@ -21,7 +21,8 @@ uniform ivec4 vitrineCapPlace;          // the plane, the first pixel of the sum
 uniform ivec4 vitrineCapStyle;          // width of edges in pixels, the first layer of open parts or 0, the plane's
                                         // layer, 1 if stripes show where parts interfere
 uniform vec4 vitrineCapEdge;            // colour of edges
-uniform vec2 vitrineCapSpacing;         // distance of a hatch's lines and their width, in world coordinates
+uniform vec3 vitrineCapSpacing;         // distance of a hatch's lines and their width, in world coordinates; where
+                                        // stripes start
 in vec2 vitrineCapPoint;                // in the plane, in world coordinates
 
 uint vitrineCapPart = 0u;

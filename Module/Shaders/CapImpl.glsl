@@ -45,7 +45,7 @@
   float vitrineCapLine = vitrineHatch(int(vitrineCutPart.w & 255u), vitrineHatchPoint, vitrineHatchBlur);
   if (vitrineIsStriped)
   {
-    vitrineCapLine = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));
+    vitrineCapLine = step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y + vitrineCapSpacing.z) / 12.0));
   }
   bool vitrineIsCapEdge = false;
   int vitrineEdgeWidth = vitrineCapStyle.x;

@@ -145,6 +145,9 @@ std::string SectionCaps::Prepare(vtkRenderer* renderer)
     this->Drawn.Keep(*this->Parts, this->Planes->Planes);
     auto* const window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
     reason = this->Sums.Bind(window->GetState());
+    const int* const whole = window->GetSize();
+    const double* const tile = window->GetTileViewport();
+    this->FirstOfTile = static_cast<float>(std::round(tile[0] * whole[0] + tile[1] * whole[1]));
   }
   return reason;
 }
@@ -163,8 +166,8 @@ void SectionCaps::SetUniforms(vtkShaderProgram* program, vtkProp* prop) const
   program->SetUniform4f("vitrineCapEdge", color);
   const double spacing = this->Style.HatchSpacing > 0.0 ? this->Style.HatchSpacing
                                                         : glm::length(this->Max - this->Min) / 40.0;
-  const float spacings[2] = { static_cast<float>(spacing), HatchLine };
-  program->SetUniform2f("vitrineCapSpacing", spacings);
+  const float spacings[3] = { static_cast<float>(spacing), HatchLine, this->FirstOfTile };
+  program->SetUniform3f("vitrineCapSpacing", spacings);
 }
 
 Interference SectionCaps::FindInterference()

@@ -88,6 +88,8 @@ private:
   DrawnSums Drawn;
   glm::dvec3 Min{ 0.0 }; ///< the box around the parts that are cut, in WC
   glm::dvec3 Max{ 0.0 };
+  float FirstOfTile =
+    0.0f;          ///< x + y of the window's first pixel in a picture that is drawn in tiles
   int Samples = 0; ///< of a pixel of the frame, 0 for one
   std::string Reason;
   std::string ToldReason; ///< of the last warning
