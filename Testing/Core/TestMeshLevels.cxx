@@ -8,6 +8,7 @@
 #include "Core/levels/SurfaceBound.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/constants.hpp>
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 
@@ -271,6 +272,41 @@ TEST(MeshLevels, AreWithinTheirBounds)
     soup.Corners.push_back(i);
   }
   ExpectHonest(soup, LevelsOf(soup), 2.2);
+}
+
+/** A disc of radius 1 around a point. With a height it is a cone. */
+DetailedMesh Fan(std::uint32_t count, double height)
+{
+  DetailedMesh fan;
+  fan.Points.emplace_back(0, 0, height);
+  for (std::uint32_t i = 0; i < count; ++i)
+  {
+    const double angle = 2 * glm::pi<double>() * i / count;
+    fan.Points.emplace_back(std::cos(angle), std::sin(angle), 0);
+    fan.Corners.insert(fan.Corners.end(), { 0, 1 + i, 1 + (i + 1) % count });
+  }
+  return fan;
+}
+
+// Its hub is a neighbour of all other vertices. So work at each of them that counts neighbours never ends.
+TEST(MeshLevels, OfALargeFanAreMade)
+{
+  constexpr std::uint32_t count = 4000;
+  for (const double height : { 0.0, 1.0 })
+  {
+    const DetailedMesh fan = Fan(count, height);
+    const MeshLevels made = LevelsOf(fan);
+    ASSERT_GE(made.Levels.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+    {
+      const MeshLevel& level = made.Levels[i];
+      const auto triangles = static_cast<double>(level.Corners.size() / 3);
+      // A polygon of n sides is within 1 - cos(pi / n) of its circle, if all are of one length.
+      EXPECT_GE(level.Bound + 1e-6, 1 - std::cos(glm::pi<double>() / triangles));
+      EXPECT_LE(level.Bound, 20 * (1 - std::cos(glm::pi<double>() / triangles)));
+      EXPECT_LE(SampledDistance(fan, fan.Corners, level.Corners, 1000), level.Bound);
+    }
+  }
 }
 
 TEST(MeshLevels, HaveFewerTrianglesAndGreaterBoundsStepByStep)

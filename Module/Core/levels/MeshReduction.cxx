@@ -30,12 +30,50 @@ using Vector = OpenMesh::Vec3d;
 /**
  * OpenMesh's mesh, with two functions that the decimater asks of each possible move. Those of Debian's library check
  * assertions, which take most of the time.
+ *
+ * They look at the vertices around one. Each move has the decimater ask about all neighbours, so the hub of a fan would
+ * take the cube of its triangles' number. So a *hub*, a vertex of many neighbours, takes no part in any move, and the
+ * number of neighbours is known without a look around.
  */
 class SurfaceMesh : public OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>
 {
 public:
-  Side find_halfedge(VertexHandle from, VertexHandle to) const
+  /** Counts the neighbours of all vertices. Moves are to be told from then on. */
+  void CountNeighbours()
   {
+    this->Neighbours.assign(this->n_vertices(), 0);
+    for (const auto edge : this->edges())
+    {
+      const Side side = this->halfedge_handle(edge, 0);
+      ++this->CountAt(this->to_vertex_handle(side));
+      ++this->CountAt(this->from_vertex_handle(side));
+    }
+  }
+
+  /** Tells that a side's first vertex is about to move onto its second one. */
+  void NoteMove(Side side)
+  {
+    const Side back = this->opposite_halfedge_handle(side);
+    std::uint32_t shared = 2; // the two are no longer neighbours of each other
+    for (const VertexHandle third : { this->ThirdCorner(side), this->ThirdCorner(back) })
+    {
+      if (third.is_valid())
+      {
+        --this->CountAt(third);
+        ++shared;
+      }
+    }
+    const VertexHandle to = this->to_vertex_handle(side);
+    this->CountAt(to) += this->CountAt(this->to_vertex_handle(back)) - shared;
+  }
+
+  Side find_halfedge(VertexHandle from, VertexHandle to)
+  {
+    if (this->CountAt(from) > this->CountAt(to))
+    {
+      const Side back = this->find_halfedge(to, from);
+      return back.is_valid() ? this->opposite_halfedge_handle(back) : back;
+    }
     for (auto side = this->cvoh_iter(from); side.is_valid(); ++side)
     {
       if (this->to_vertex_handle(*side) == to)
@@ -55,7 +93,8 @@ public:
     const Side back = this->opposite_halfedge_handle(side);
     const VertexHandle from = this->to_vertex_handle(back);
     const VertexHandle to = this->to_vertex_handle(side);
-    if (this->status(this->edge_handle(side)).deleted() || this->IsEar(side) || this->IsEar(back))
+    if (this->IsHub(from) || this->IsHub(to) || this->status(this->edge_handle(side)).deleted() ||
+      this->IsEar(side) || this->IsEar(back))
     {
       return false;
     }
@@ -83,6 +122,14 @@ public:
   }
 
 private:
+  static constexpr std::uint32_t MostNeighbours = 100;
+
+  std::uint32_t& CountAt(VertexHandle vertex)
+  {
+    return this->Neighbours[static_cast<std::size_t>(vertex.idx())];
+  }
+  bool IsHub(VertexHandle vertex) { return this->CountAt(vertex) > MostNeighbours; }
+
   VertexHandle ThirdCorner(Side side) const
   {
     return this->is_boundary(side) ? VertexHandle()
@@ -97,6 +144,7 @@ private:
       this->is_boundary(this->opposite_halfedge_handle(this->next_halfedge_handle(next)));
   }
 
+  std::vector<std::uint32_t> Neighbours; ///< for each vertex, how many it has
   std::vector<std::uint32_t>
     Seen; ///< for each vertex the turn in which it was in the ring of the second one
   std::uint32_t Turn = 0;
@@ -210,6 +258,7 @@ public:
       }
     }
     this->Quadrics[move.v1.idx()] += this->Quadrics[move.v0.idx()];
+    this->mesh().NoteMove(move.v0v1);
   }
 
 private:
@@ -296,7 +345,7 @@ class StopObserver : public OpenMesh::Decimater::Observer
 {
 public:
   explicit StopObserver(const std::atomic<bool>& isStopped)
-    : Observer(1000)
+    : Observer(16)
     , IsStopped(isStopped)
   {
   }
@@ -352,6 +401,7 @@ public:
     this->Moves->Colors = &this->Colors;
     this->AddFaces(mesh);
     this->KeepKnots();
+    this->Surface.CountNeighbours();
     this->Moves->FindQuadrics();
   }
 

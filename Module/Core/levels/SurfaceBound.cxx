@@ -156,9 +156,11 @@ std::array<Polygon, 2> Cut(const Polygon& polygon, const Plane& plane)
 class DistanceSearch
 {
 public:
-  DistanceSearch(const std::vector<glm::dvec3>& points, const Surface& to, double tolerance)
+  DistanceSearch(const std::vector<glm::dvec3>& points, const Surface& to, double tolerance,
+    const std::atomic<bool>& isStopped)
     : Points(points)
     , To(to.Mesh)
+    , IsStopped(isStopped)
     , Enough(tolerance)
     , Nearest(points.size(), Unknown)
   {
@@ -169,19 +171,23 @@ public:
     }
   }
 
-  double Bound(const std::vector<std::uint32_t>& corners, const std::atomic<bool>& isStopped)
+  double Bound(const std::vector<std::uint32_t>& corners)
   {
     this->LeftToCut = 8 * (corners.size() + 3 * std::size_t{ this->To.TriangleCount() });
     std::uint32_t near = 0;
     for (const std::uint32_t corner : corners)
     {
+      if (this->IsStopped)
+      {
+        return 0;
+      }
       if (this->Nearest[corner] == Unknown)
       {
         this->Nearest[corner] = this->Measure(this->Points[corner], near).Triangle;
       }
       near = this->Nearest[corner];
     }
-    for (std::size_t i = 0; i < corners.size() && !isStopped; i += 3)
+    for (std::size_t i = 0; i < corners.size() && !this->IsStopped; i += 3)
     {
       if (!this->IsNearOne(&corners[i]))
       {
@@ -243,7 +249,7 @@ private:
 
   void Divide()
   {
-    while (!this->Open.empty())
+    while (!this->Open.empty() && !this->IsStopped)
     {
       Polygon polygon = this->Open.back();
       this->Open.pop_back();
@@ -304,6 +310,7 @@ private:
 
   const std::vector<glm::dvec3>& Points;
   const PartMesh& To;
+  const std::atomic<bool>& IsStopped;
   double Enough; ///< polygons with such a bound are not cut
   double Most = 0;
   std::size_t LeftToCut = 0;
@@ -316,7 +323,7 @@ private:
 double BoundOfDistance(const std::vector<glm::dvec3>& points, const Surface& from,
   const Surface& to, double tolerance, const std::atomic<bool>& isStopped)
 {
-  return DistanceSearch(points, to, tolerance).Bound(from.Corners, isStopped);
+  return DistanceSearch(points, to, tolerance, isStopped).Bound(from.Corners);
 }
 
 }
