@@ -10,6 +10,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -107,6 +108,7 @@ DetailWork::DetailWork(Geometries geometries, bool useCache)
   for (std::size_t i = 0; i < this->Work.size(); ++i)
   {
     this->PlaceOf.emplace(this->Work[i], i);
+    this->Times.push_back(this->Work[i]->GetMTime());
   }
   this->Thread = std::thread([this] { this->Run(); });
 }
@@ -169,7 +171,19 @@ void DetailWork::Wait()
 std::shared_ptr<const PartDetail> DetailWork::Of(vtkPolyData* geometry) const
 {
   const auto found = this->PlaceOf.find(geometry);
-  return found == this->PlaceOf.end() ? nullptr : this->Made[found->second];
+  const bool isOfNow =
+    found != this->PlaceOf.end() && geometry->GetMTime() == this->Times[found->second];
+  return isOfNow ? this->Made[found->second] : nullptr;
+}
+
+vtkMTimeType DetailWork::TimeOfChange() const
+{
+  vtkMTimeType last = 0;
+  for (vtkPolyData* const geometry : this->Work)
+  {
+    last = std::max(last, geometry->GetMTime());
+  }
+  return last;
 }
 
 }

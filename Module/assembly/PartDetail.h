@@ -6,6 +6,7 @@
 #include "Core/levels/MeshSpeck.h"
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <atomic>
 #include <cstddef>
@@ -65,8 +66,14 @@ public:
   bool IsDone() const { return this->CountOfDone() == this->Count(); }
   void Wait();
 
-  /** Returns what was made of a geometry, or null if it was not given or is not usable. Only if IsDone(). */
+  /**
+   * Returns what was made of a geometry, or null if it was not given, is not usable, or has changed since. Only if
+   * IsDone().
+   */
   std::shared_ptr<const PartDetail> Of(vtkPolyData* geometry) const;
+
+  /** Returns when a geometry changed last. */
+  vtkMTimeType TimeOfChange() const;
 
 private:
   void Run();
@@ -77,6 +84,7 @@ private:
   bool UseCache;
   std::vector<std::shared_ptr<const PartDetail>> Made;
   std::unordered_map<vtkPolyData*, std::size_t> PlaceOf;
+  std::vector<vtkMTimeType> Times; ///< when each geometry had changed last
   std::atomic<std::size_t> Done{ 0 };
   std::atomic<bool> IsStopped{ false };
   std::thread Thread;

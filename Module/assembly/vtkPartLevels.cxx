@@ -9,16 +9,20 @@
 #include "vtkAssemblyActors.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkHomogeneousTransform.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
+#include "vtkWindow.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -46,12 +50,11 @@ void TellStandIns(vtkObject*, unsigned long, void* standIns, void* asked)
   *static_cast<const vitrine::StandIns**>(asked) = static_cast<const vitrine::StandIns*>(standIns);
 }
 
-/** All that a camera and a picture have to be alike in, so that the camera stands still. */
-using Standpoint = std::array<double, 14>;
+/** All that a camera has to be alike in, so that it stands still. */
+using Standpoint = std::array<double, 12>;
 
-Standpoint StandpointOf(vtkRenderer* renderer)
+Standpoint StandpointOf(vtkCamera* camera)
 {
-  vtkCamera* const camera = renderer->GetActiveCamera();
   Standpoint point{};
   camera->GetPosition(point.data());
   camera->GetFocalPoint(point.data() + 3);
@@ -59,9 +62,27 @@ Standpoint StandpointOf(vtkRenderer* renderer)
   point[9] = camera->GetViewAngle();
   point[10] = camera->GetParallelScale();
   point[11] = camera->GetParallelProjection();
-  point[12] = renderer->GetSize()[0];
-  point[13] = renderer->GetSize()[1];
   return point;
+}
+
+/** Returns true if a frame is a tile of a larger picture, which has a camera of its own. */
+bool IsTile(vtkRenderer* renderer)
+{
+  const int* const tiles = renderer->GetVTKWindow()->GetTileScale();
+  return tiles[0] > 1 || tiles[1] > 1;
+}
+
+/**
+ * Returns true if a camera is described by its position, its directions, and its angle or scale alone: it has no matrix
+ * of its own that could make lengths longer.
+ */
+bool IsPlain(vtkCamera* camera)
+{
+  const auto isIdentity = [](vtkHomogeneousTransform* transform)
+  { return !transform || transform->GetMatrix()->IsIdentity(); };
+  return !camera->GetUseExplicitProjectionTransformMatrix() &&
+    camera->GetModelTransformMatrix()->IsIdentity() && isIdentity(camera->GetUserTransform()) &&
+    isIdentity(camera->GetUserViewTransform());
 }
 
 PixelView PixelViewOf(vtkRenderer* renderer)
@@ -133,7 +154,14 @@ struct vtkPartLevels::Internals
     vtkSmartPointer<vtkAssemblyActors> Parts;
     std::unique_ptr<DetailWork> Work;
     std::unique_ptr<CoarseActors> Coarse;
+    vtkMTimeType Time = 0; ///< when geometry had changed last as the actors were made
     MakingDelay Delay;
+
+    bool IsOutdated() const
+    {
+      return !this->Coarse || this->Coarse->AreOutdated(this->Parts->Drawn()) ||
+        this->Work->TimeOfChange() > this->Time;
+    }
   };
 
   std::vector<LevelledAssembly> Assemblies;
@@ -143,8 +171,8 @@ struct vtkPartLevels::Internals
   vtkWeakPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vitrine::FrameObserver> Observer;
   unsigned long Answers[2]{};
-  unsigned long Deletion = 0; ///< observer of the renderer's end
-  Standpoint Last{};
+  unsigned long Deletion = 0;     ///< observer of the renderer's end
+  std::optional<Standpoint> Last; ///< of the frame before, if there was one
   vitrine::StandIns
     StandIns; ///< of the frame that is drawn: coarse actors, and those of assemblies that they replace
   bool DrewLevels = false;
@@ -154,9 +182,7 @@ struct vtkPartLevels::Internals
   {
     this->EndFrame();
     vtkRenderer* const renderer = this->Renderer;
-    const Standpoint standpoint = StandpointOf(renderer);
-    const bool isStill = standpoint == this->Last;
-    this->Last = standpoint;
+    const bool isStill = this->IsStill();
     this->Counts = {};
     this->DrewLevels = false;
     if ((isStill && this->ExactWhileStill) || IsExactFor(renderer))
@@ -175,17 +201,29 @@ struct vtkPartLevels::Internals
     }
   }
 
+  /** Returns true if the camera is that of the frame before. The size of the picture does not count. */
+  bool IsStill()
+  {
+    if (IsTile(this->Renderer))
+    {
+      return true; // and no frame that the next one is compared with
+    }
+    const Standpoint standpoint = StandpointOf(this->Renderer->GetActiveCamera());
+    const bool isStill = !this->Last || standpoint == *this->Last;
+    this->Last = standpoint;
+    return isStill;
+  }
+
   /** Returns true if a frame has to be drawn as it is. */
   static bool IsExactFor(vtkRenderer* renderer)
   {
-    return renderer->GetSelector() != nullptr ||
-      renderer->GetActiveCamera()->GetUseExplicitProjectionTransformMatrix();
+    return renderer->GetSelector() != nullptr || !IsPlain(renderer->GetActiveCamera());
   }
 
   void Show(LevelledAssembly& assembly, const LevelRequest& asked)
   {
     vtkRenderer* const renderer = this->Renderer;
-    const bool isOutdated = !assembly.Coarse || assembly.Coarse->AreOutdated(PartsOf(assembly));
+    const bool isOutdated = assembly.IsOutdated();
     if (isOutdated && !assembly.Delay.IsOver())
     {
       assembly.Delay.CountFrame();
@@ -221,8 +259,9 @@ struct vtkPartLevels::Internals
   void Make(LevelledAssembly& assembly)
   {
     this->Remove(assembly);
+    assembly.Time = assembly.Work->TimeOfChange();
     assembly.Coarse = std::make_unique<CoarseActors>(
-      PartsOf(assembly), [&](vtkPolyData* geometry) { return assembly.Work->Of(geometry); });
+      assembly.Parts->Drawn(), [&](vtkPolyData* geometry) { return assembly.Work->Of(geometry); });
     for (vtkActor* const actor : assembly.Coarse->Actors())
     {
       this->Renderer->AddActor(actor);
@@ -276,11 +315,6 @@ struct vtkPartLevels::Internals
       this->Remove(assembly);
     }
   }
-
-  static const vitrine::DrawnParts& PartsOf(LevelledAssembly& assembly)
-  {
-    return assembly.Parts->Drawn();
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -331,7 +365,7 @@ void vtkPartLevels::AddAssembly(vtkAssemblyActors* assembly)
     }
   }
   assemblies.push_back({ assembly,
-    std::make_unique<DetailWork>(std::move(geometries), this->Private->UseCache), nullptr, {} });
+    std::make_unique<DetailWork>(std::move(geometries), this->Private->UseCache), nullptr, 0, {} });
   this->Modified();
 }
 
@@ -396,7 +430,7 @@ void vtkPartLevels::Attach(vtkRenderer* renderer)
   }
   Internals& in = *this->Private;
   in.Renderer = renderer;
-  in.Last = {};
+  in.Last.reset();
   in.Observer = vtkSmartPointer<vitrine::FrameObserver>::New();
   in.Observer->Start = [&in] { in.StartFrame(); };
   in.Observer->End = [&in] { in.EndFrame(); };

@@ -4,7 +4,8 @@
  *
  * Each part gets levels of detail, made in the background. While the camera moves, each part is drawn at the coarsest
  * level with which no point of its surface is farther from where it should be than some pixels. Where the camera stands
- * still, as from one frame to the next, all parts are drawn as they are.
+ * still, as from one frame to the next, all parts are drawn as they are. Another size of the window is no motion, and
+ * neither are the tiles of which vtkWindowToImageFilter puts together large pictures.
  *
  * @code
  * vtkNew<vtkPartLevels> levels;
@@ -19,12 +20,13 @@
  *
  * In frames with levels, parts of one look are one actor, and the assembly's own actors are hidden. Between frames all
  * is as it was. So picks, measures and bounds are of the parts themselves. Drawn as they are, too, are:
- * - all parts, while a selector renders, and with a camera that has a projection matrix of its own;
+ * - all parts, while a selector renders, and with a camera that has matrices of its own, as of vtkCamera's
+ *   SetUserTransform() or SetModelTransformMatrix();
  * - parts that a plane of a section or the camera's near or far plane meets, as a small move of a face may be a large
  *   one of its edge in the plane;
  * - actors with parts that are chosen for an x-ray or for a plane of a section;
- * - actors with parts that have textures, lines or vertices, and for those that were moved, or have got clipping
- *   planes or shader code.
+ * - actors with parts that have textures, lines or vertices, or whose geometry has changed since it was added, and
+ *   those that were moved or scaled, or have got clipping planes or shader code.
  *
  * @sa
  * vtkAssemblyActors vtkSeeThroughPass
@@ -53,8 +55,8 @@ public:
   ///@}
 
   /**
-   * Add the parts of an assembly, and begin to make their levels. Its geometry must not change from then on. Parts that
-   * are added already are not added again.
+   * Add the parts of an assembly, and begin to make their levels. Geometry must not change until they are made. Parts
+   * whose geometry changes later are drawn as they are from then on. Parts that are added already are not added again.
    */
   void AddAssembly(vtkAssemblyActors* assembly);
 
@@ -68,8 +70,8 @@ public:
 
   ///@{
   /**
-   * Get/Set whether parts are drawn as they are in a frame whose camera is that of the frame before. The default is
-   * true.
+   * Get/Set whether parts are drawn as they are in the first frame after Attach(), and in one whose camera is that of
+   * the frame before. The default is true.
    */
   void SetExactWhileStill(bool exact);
   bool GetExactWhileStill();

@@ -23,14 +23,15 @@ def levels(target: Any, pixels: float = 0.5, *, exact_while_still: bool = True, 
     Each part is drawn at the coarsest level with which no point of it is farther from where it should be than `pixels`.
     That is a computed bound of the distance of both surfaces, both ways. Levels are made in the background; until then
     parts are drawn as they are. Parts with textures, lines or vertices always are. So are parts that a section or the
-    near plane cuts, and those that an x-ray or a plane of a section has been given.
+    near plane cuts, those that an x-ray or a plane of a section has been given, and those whose data have changed
+    since.
 
     Args:
         target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
             renderers that it has now.
         pixels: by how many pixels points may move, from 0.001 to 64.
-        exact_while_still: whether a frame whose camera is that of the frame before shows parts as they are.
-
+        exact_while_still: whether parts are shown as they are in the first frame, and in one whose camera is that of
+            the frame before.
         cache: whether levels of the same geometry that took a second or more are kept, and used the next time, in
             vitrine/levels of the system's folder for caches.
 

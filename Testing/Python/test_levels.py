@@ -11,7 +11,9 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkMassProperties
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkWindowToImageFilter
 
 import vitrine
 from scenes import pixels, window_with
@@ -151,6 +153,7 @@ class Levels(unittest.TestCase):
         scene = Scene(machine(), lit=True)
         exact = scene.frame(10)
         shown = scene.levels()
+        self.assert_same(scene.frame(), exact)  # the first one, before which the camera was nowhere
         scene.frame(10)
         self.assertTrue(shown.stats().drew_levels)
         scene.frame(-10)
@@ -163,6 +166,61 @@ class Levels(unittest.TestCase):
         shown.remove()
         self.assert_same(scene.frame(), exact)
         self.assertEqual(repr(shown), "<Levels, removed>")
+
+    def test_another_size_of_the_picture_is_no_motion(self):
+        scene = Scene(machine())
+        shown = scene.levels()
+        scene.frame()
+        scene.window.SetSize(SIZE // 2, SIZE)
+        scene.window.Render()
+        self.assertFalse(shown.stats().drew_levels)
+        tiles = vtkWindowToImageFilter()
+        tiles.SetInput(scene.window)
+        tiles.SetScale(2)
+        tiles.Update()
+        self.assertFalse(shown.stats().drew_levels)
+        scene.window.Render()
+        self.assertFalse(shown.stats().drew_levels)
+        scene.frame(10)
+        self.assertTrue(shown.stats().drew_levels)
+
+    def test_cameras_with_matrices_show_parts_as_they_are(self):
+        scene = Scene(machine())
+        shown = scene.levels(exact_while_still=False)
+        large = vtkTransform()
+        large.Scale(10, 10, 1)
+        none = vtkTransform()
+        for set_matrix in (
+            scene.camera.SetUserTransform,
+            scene.camera.SetUserViewTransform,
+            lambda transform: scene.camera.SetModelTransformMatrix(transform.GetMatrix()),
+        ):
+            set_matrix(large)
+            scene.window.Render()
+            self.assertFalse(shown.stats().drew_levels)
+            set_matrix(none)
+            scene.window.Render()
+            self.assertTrue(shown.stats().drew_levels)
+
+    def test_parts_whose_data_change_are_drawn_as_they_are(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, ball(0, 0, 1))
+        scene = Scene(vitrine.from_multiblock(blocks))
+        shown = scene.levels(pixels=8, exact_while_still=False)
+        scene.frame(10)
+        before = shown.stats()
+        self.assertGreater(before.whole_triangles, before.triangles)
+        points = blocks.GetBlock(0).GetPoints().GetData()
+        vtk_to_numpy(points)[:] *= 0.3
+        points.Modified()
+        for _ in range(3):
+            drawn = scene.frame(10)
+            self.assertEqual(shown.stats().whole_triangles, 0)
+        shown.remove()
+        self.assert_same(drawn, scene.frame())
+        shown = scene.levels(pixels=8, exact_while_still=False)  # made of what is there now
+        scene.frame(10)
+        self.assertEqual(shown.stats().whole_triangles, before.whole_triangles)
 
     def test_looks_are_kept_and_their_changes_are_seen(self):
         assembly = machine()
