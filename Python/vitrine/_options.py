@@ -29,11 +29,11 @@ _COLOR_STORAGES = {
 }
 
 
-def method_name(method: str | None, error: float | None, frame_ms: float | None) -> str:
+def method_name(method: str | None, error: float | None, error_bounds: bool, frame_ms: float | None) -> str:
     """The method that see_through() takes: without a name, the default one, or the one that keeps an error budget."""
     if method is not None:
         return method
-    return "prefix-sum-predicted" if error is None and frame_ms is None else "automatic"
+    return "automatic" if error is not None or error_bounds or frame_ms is not None else "prefix-sum-predicted"
 
 
 def make_pass(

@@ -36,8 +36,8 @@ def see_through(
         target: a vtkRenderer, a vtkRenderWindow or a pyvista.Plotter. For a window or a plotter, this applies to all
             renderers, including those that are added later.
         method: "prefix-sum-predicted", the default, which needs only one pass over the geometry if the last frame
-            predicts enough room; "automatic", the default with an `error`, which chooses for each frame the cheapest
-            way that keeps it; "linked-list", which needs only one pass whatever the camera does; "prefix-sum", which
+            predicts enough room; "automatic", the default with an `error`, `error_bounds` or a `frame_ms`, which
+            chooses for each frame the cheapest way that keeps the error; "linked-list", which needs only one pass whatever the camera does; "prefix-sum", which
             counts fragments first; "stencil-routed" for drivers without OpenGL 4.3; or "truth", the slow reference,
             composited in float64 on the CPU.
         lights: "clustered" or True, or "deferred", for scenes with many lights. With None, VTK's mappers do the
@@ -88,7 +88,7 @@ def see_through(
     True
     """
     renderers = _renderers_of(target)
-    name = method_name(method, error, frame_ms)
+    name = method_name(method, error, error_bounds, frame_ms)
 
     def make() -> vtkSeeThroughPass:
         return make_pass(

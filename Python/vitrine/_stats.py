@@ -39,7 +39,7 @@ class Stats:
     chosen is the method that automatic chose for the frame, and empty without it. guaranteed_error is the largest error
     of a channel in [0, 1] that the picture can have, and None without automatic. budget_problem says why the error that
     was asked for is not promised, and is empty if it is. With several renderers the error is the largest, the errors of
-    layers of a window are added, and texts are put together.
+    layers of a window are added, and texts are put together. An error that was asked for is one for each layer.
 
     error_budget is the error that the frame was to keep, the largest of all renderers, and None without automatic.
     With a frame_ms, frame_ms is the median milliseconds of the frames that were measured last, the largest of all
@@ -86,12 +86,14 @@ def error_bound(target: Any) -> numpy.ndarray:
     rounding of the picture to 8 bits is included. Effects that process the picture are not. Pixels without translucent
     fragments have what lights may lack that are left out, or 0.
 
-    target: as of see_through().
+    target: as of see_through(). Its renderers whose Draw is off are left out.
 
-    Returns a float32 array (height, width) of the framebuffer, rows from the top. Where renderers of a window overlap,
-    it has the sum of their bounds. It reads the device, so its time is that of a screenshot.
+    Returns a float32 array (height, width) of the framebuffer in which fragments were drawn, rows from the top. It is
+    larger than the window with SSAA, and of the former size once the window has another one, until the next frame.
+    Where renderers of a window overlap, it has the sum of their bounds. It reads the device, so its time is that of a
+    screenshot.
 
-    Raises as stats() does, and ValueError if bounds were not kept.
+    Raises as stats() does, and ValueError if bounds were not kept or the renderers' are of several sizes.
 
     >>> import vitrine
     >>> from vtkmodules.vtkFiltersSources import vtkConeSource
@@ -112,13 +114,19 @@ def error_bound(target: Any) -> numpy.ndarray:
     """
     import numpy
 
-    methods = [_method_of(root) for root in _see_through_roots(_renderers_of(target))]
+    renderers = _renderers_of(target)
+    _see_through_roots(renderers)
+    methods = [_method_of(_root_of(renderer)) for renderer in renderers if renderer.GetDraw()]
     bounds = [_bounds_of(found) for found in methods if isinstance(found, vtkErrorBudgetTransparencyPass)]
     kept = [found for found in bounds if found is not None]
     if not kept:
         raise ValueError(
             "no bounds were kept: call see_through() with error_bounds=True and an error such as 2 / 255, "
-            "and draw something translucent"
+            "and draw a frame"
+        )
+    if len({found.shape for found in kept}) > 1:
+        raise ValueError(
+            "the last frames of these renderers have several sizes: draw the window again, or ask for one renderer"
         )
     return functools.reduce(numpy.add, kept)
 

@@ -67,7 +67,7 @@ class Budgets(unittest.TestCase):
                 self.assertTrue(bound.max() <= told.guaranteed_error + 1e-9 <= steps / 255 + 2e-9)
 
     def test_have_a_default(self):
-        for options in ({"method": "automatic"}, {"error": STEP}, {"method": "automatic", "error": STEP}):
+        for options in ({"method": "automatic"}, {"error": STEP}, {"error_bounds": True}):
             renderer = vtkRenderer()
             handle = vitrine.see_through(renderer, **options)
             self.assertEqual(handle.method, "automatic")
@@ -114,6 +114,37 @@ class Budgets(unittest.TestCase):
         self.assertEqual(told.chosen, "prefix-sum-predicted, prefix-sum-predicted-compact")
         guaranteed = [vitrine.stats(renderer).guaranteed_error for renderer in (left, right)]
         self.assertEqual(told.guaranteed_error, max(guaranteed))
+
+    def test_views_without_glass_have_no_error(self):
+        opaque, empty = glass(), vtkRenderer()
+        for actor in opaque.GetActors():
+            actor.GetProperty().SetOpacity(1)
+        empty.SetViewport(0.5, 0, 1, 1)
+        window = window_with(opaque)
+        window.AddRenderer(empty)
+        vitrine.see_through(window, error=STEP, error_bounds=True)
+        window.Render()
+        told = vitrine.stats(window)
+        self.assertEqual((told.guaranteed_error, told.budget_problem), (0, ""))
+        self.assertEqual(vitrine.error_bound(window).max(), 0)
+
+    def test_views_that_are_off_are_left_out(self):
+        left, right = glass(), glass()
+        window = window_with(left)
+        window.AddRenderer(right)
+        vitrine.see_through(window, error=STEP, error_bounds=True)
+        window.Render()
+        one, two = vitrine.error_bound(left), vitrine.error_bound(window)
+        self.assertLess(abs(two - 2 * one).max(), 1e-8)
+        right.DrawOff()
+        self.assertEqual(abs(vitrine.error_bound(window) - one).max(), 0)
+        window.SetSize(80, 60)
+        self.assertEqual(vitrine.error_bound(window).shape, (48, 64))  # of the last frame
+        window.Render()
+        self.assertEqual(vitrine.error_bound(window).shape, (60, 80))
+        right.DrawOn()
+        with self.assertRaisesRegex(ValueError, "draw the window again"):
+            vitrine.error_bound(window)
 
     def test_layers_are_added(self):
         behind, front = glass(), glass()

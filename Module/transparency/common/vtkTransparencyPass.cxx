@@ -217,17 +217,13 @@ void vtkTransparencyPass::Render(const vtkRenderState* s)
   this->MeanNumberOfLayers = 0.0;
   this->NumberOfGeometryPasses = 0;
   this->Private->FallbackReason.clear();
-  if (!this->HasFragments(s))
-  {
-    if (this->Private->Context.LivesIn(s->GetRenderer()->GetRenderWindow()))
-    {
-      this->RenderNothing();
-    }
-    return;
-  }
-
   vtkOpenGLClearErrorMacro();
   this->UseWindow(s->GetRenderer()->GetRenderWindow());
+  if (!this->HasFragments(s))
+  {
+    this->RenderNothing();
+    return;
+  }
   if (this->RenderSubstitute(s))
   {
     return;
