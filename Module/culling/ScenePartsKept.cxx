@@ -33,7 +33,10 @@ void SceneParts::ShowWhole(std::vector<std::uint8_t>& visible) const
     }
     for (const std::uint32_t piece : part.Pieces)
     {
-      visible[piece] = visible[piece] == IsLeftOut ? MayShow : visible[piece];
+      if (visible[piece] == IsLeftOut)
+      {
+        visible[piece] = MayShow;
+      }
     }
   }
 }
