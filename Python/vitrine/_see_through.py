@@ -37,9 +37,9 @@ def see_through(
             renderers, including those that are added later.
         method: "prefix-sum-predicted", the default, which needs only one pass over the geometry if the last frame
             predicts enough room; "automatic", the default with an `error`, `error_bounds` or a `frame_ms`, which
-            chooses for each frame the cheapest way that keeps the error; "linked-list", which needs only one pass whatever the camera does; "prefix-sum", which
-            counts fragments first; "stencil-routed" for drivers without OpenGL 4.3; or "truth", the slow reference,
-            composited in float64 on the CPU.
+            chooses for each frame the cheapest way that keeps the error; "linked-list", which needs only one pass
+            whatever the camera does; "prefix-sum", which counts fragments first; "stencil-routed" for drivers without
+            OpenGL 4.3; or "truth", the slow reference, composited in float64 on the CPU.
         lights: "clustered" or True, or "deferred", for scenes with many lights. With None, VTK's mappers do the
             lighting.
         cull: whether hidden parts are left out (vtkHierarchicalSBufferCuller, which replaces the renderer's cullers).
