@@ -1,13 +1,11 @@
 #include "vtkDistributedTransparencyPass.h"
 
 #include "Core/lists/ScreenBands.h"
-#include "Core/ranks/OpaquePixels.h"
 #include "Core/ranks/SentLists.h"
 #include "Core/ranks/TileOwners.h"
 #include "Shaders/SharedLayout.h"
 #include "gl/RenderTarget.h"
 #include "gl/StageTimer.h"
-#include "gl/TargetPixels.h"
 #include "scene/PassTraits.h"
 #include "scene/Settings.h"
 #include "transparency/abuffer/PackedListStore.h"
@@ -16,6 +14,7 @@
 #include "transparency/ranks/GhostCells.h"
 #include "transparency/ranks/RankCamera.h"
 #include "transparency/ranks/RankExchange.h"
+#include "transparency/ranks/RankPicture.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkRenderState.h"
@@ -31,7 +30,6 @@ vitrinePassTraitsMacro(vtkDistributedTransparencyPass, vitrine::TranslucentTrait
 namespace
 {
 
-const char* const Malformed = "a message of another rank does not fit the picture";
 const char* const DrawnAgain = "fragments are added to what is behind them";
 
 }
@@ -43,8 +41,7 @@ struct vtkDistributedTransparencyPass::Shared
   std::unique_ptr<vitrine::PackedListStore>
     Received = // The lists of the pixels that this rank owns.
     std::make_unique<vitrine::PackedListStore>();
-  vitrine::TargetPixels Pixels;
-  vitrine::OpaquePixels Picture;
+  vitrine::RankPicture Picture;
   vitrine::TileOwners Owners;        // of the frame's region
   vitrine::PixelLists Own;           // The lists that this rank drew last.
   vitrine::PixelLists Joined;        // The lists of all ranks of the pixels that this rank owns.
@@ -203,7 +200,10 @@ std::string vtkDistributedTransparencyPass::DrawTogether(
   {
     r.Owners = vitrine::TileOwners(target.Region, target.Width, r.Exchange.Count());
   }
-  problem = this->CombineOpaque(target);
+  {
+    const vitrine::StageTimer::Section section(this->GetStageTimer(), "opaque");
+    problem = r.Picture.CombineOpaque(r.Exchange, r.Owners, this->GetWindow()->GetState(), target);
+  }
   if (problem.empty())
   {
     problem = this->Superclass::RenderFragments(s, target);
@@ -256,60 +256,6 @@ std::string vtkDistributedTransparencyPass::Join(
   facts.Matrices = vitrine::ViewMatricesOf(s->GetRenderer());
   const std::string difference = vitrine::FindDifference(r.Exchange.GatherAll(facts.ToMessage()));
   return r.Exchange.Failure().empty() ? difference : r.Exchange.Failure();
-}
-
-//------------------------------------------------------------------------------
-// Gives this rank's target the nearest opaque depths of all ranks, and its tiles the nearest opaque colours.
-std::string vtkDistributedTransparencyPass::CombineOpaque(const vitrine::RenderTarget& target)
-{
-  Shared& r = *this->Ranks;
-  vtkOpenGLState* const state = this->GetWindow()->GetState();
-  const vitrine::StageTimer::Section section(this->GetStageTimer(), "opaque");
-  vitrine::OpaquePixels& picture = r.Picture;
-  picture.ColorWords = vitrine::TargetPixels::ColorWords(target);
-  picture.Farthest = vitrine::TargetPixels::Farthest(target);
-  picture.Depths = vitrine::TargetPixels::ReadDepths(state, target);
-  picture.Colors = vitrine::TargetPixels::ReadColors(state, target);
-
-  const int count = r.Exchange.Count();
-  const int own = r.Exchange.Rank();
-  const vitrine::OwnedPixels& owned = r.Owners.PixelsOf(own);
-  std::vector<vitrine::Message> messages(count);
-  for (int rank = 0; rank < count; ++rank)
-  {
-    if (rank != own)
-    {
-      vitrine::PackOpaque(picture, r.Owners.PixelsOf(rank), messages[rank]);
-    }
-  }
-  bool isGood = true;
-  const std::vector<vitrine::Message> pixels = r.Exchange.Exchange(std::move(messages));
-  std::vector<std::vector<std::uint32_t>> known(count); // the depths of each rank
-  for (int rank = 0; rank < count; ++rank)
-  {
-    isGood =
-      (rank == own || vitrine::TakeNearer(pixels[rank], owned, picture, known[rank])) && isGood;
-  }
-  messages.assign(count, {});
-  for (int rank = 0; rank < count; ++rank)
-  {
-    if (rank != own && isGood)
-    {
-      vitrine::PackDepths(picture, owned, known[rank], messages[rank]);
-    }
-  }
-  const std::vector<vitrine::Message> depths = r.Exchange.Exchange(std::move(messages));
-  for (int rank = 0; rank < count; ++rank)
-  {
-    isGood = (rank == own || vitrine::TakeDepths(depths[rank], r.Owners.PixelsOf(rank), picture)) &&
-      isGood;
-  }
-  if (!isGood)
-  {
-    return Malformed;
-  }
-  const std::string problem = r.Pixels.WriteDepths(state, target, picture.Depths);
-  return problem.empty() ? r.Pixels.WriteColors(state, target, picture.Colors) : problem;
 }
 
 //------------------------------------------------------------------------------
@@ -503,33 +449,10 @@ std::string vtkDistributedTransparencyPass::SendPicture(
   {
     return agreed;
   }
-  vtkOpenGLState* const state = this->GetWindow()->GetState();
-  const vitrine::StageTimer::Section section(this->GetStageTimer(), "picture");
-  const int own = r.Exchange.Rank();
-  const bool wantsPicture = this->PictureRank < 0 || this->PictureRank == own;
-  r.Picture.Colors = vitrine::TargetPixels::ReadColors(state, target);
-  std::vector<vitrine::Message> messages(r.Exchange.Count());
-  for (int rank = 0; rank < r.Exchange.Count(); ++rank)
-  {
-    if (rank != own && (this->PictureRank < 0 || this->PictureRank == rank))
-    {
-      vitrine::PackColors(r.Picture, r.Owners.PixelsOf(own), messages[rank]);
-    }
-  }
-  messages = r.Exchange.Exchange(std::move(messages));
-  bool isGood = true;
-  for (int rank = 0; rank < r.Exchange.Count() && wantsPicture; ++rank)
-  {
-    isGood =
-      (rank == own || vitrine::TakeColors(messages[rank], r.Owners.PixelsOf(rank), r.Picture)) &&
-      isGood;
-  }
   this->TakeTotals();
-  if (!isGood)
-  {
-    return r.Exchange.Failure().empty() ? Malformed : r.Exchange.Failure();
-  }
-  return wantsPicture ? r.Pixels.WriteColors(state, target, r.Picture.Colors) : std::string();
+  const vitrine::StageTimer::Section section(this->GetStageTimer(), "picture");
+  return r.Picture.Send(
+    r.Exchange, r.Owners, this->GetWindow()->GetState(), target, this->PictureRank);
 }
 
 //------------------------------------------------------------------------------
@@ -554,14 +477,14 @@ void vtkDistributedTransparencyPass::TakeTotals()
   this->MeanNumberOfLayers = all.CoveredPixels > 0
     ? static_cast<double>(all.Fragments) / static_cast<double>(all.CoveredPixels)
     : 0.0;
-  this->Bytes += r.Received->NodeBytes() + r.Received->OtherBytes() + r.Pixels.Bytes();
+  this->Bytes += r.Received->NodeBytes() + r.Received->OtherBytes() + r.Picture.Bytes();
 }
 
 //------------------------------------------------------------------------------
 void vtkDistributedTransparencyPass::ReleaseMethodResources()
 {
   this->Ranks->Received->Release();
-  this->Ranks->Pixels.Release();
+  this->Ranks->Picture.Release();
   this->Superclass::ReleaseMethodResources();
 }
 
@@ -569,6 +492,6 @@ void vtkDistributedTransparencyPass::ReleaseMethodResources()
 void vtkDistributedTransparencyPass::ForgetMethodResources()
 {
   this->Ranks->Received = std::make_unique<vitrine::PackedListStore>();
-  this->Ranks->Pixels = vitrine::TargetPixels();
+  this->Ranks->Picture = vitrine::RankPicture();
   this->Superclass::ForgetMethodResources();
 }

@@ -148,7 +148,6 @@ private:
 
   std::string DrawTogether(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string Join(const vtkRenderState* s, const vitrine::RenderTarget& target);
-  std::string CombineOpaque(const vitrine::RenderTarget& target);
   std::string AgreeOnLists(const std::string& problem);
   bool FitsInOnePiece();
   std::string RenderBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
