@@ -234,6 +234,8 @@ def bad_values_are_refused(folder):
     glass(view)
     before = picture(view, folder / "good.png")
     view.TransparencyMethod = "no such method"
+    view.SectionPlane, view.SectionNormal = 1, [0, 0, 0]
+    view.SectionBox, view.SectionBounds = "Keep inside", [1, 0, 0, 1, 0, 1]
     after = picture(view, folder / "bad.png")
     delete_all(view)
     return difference(before, after)
