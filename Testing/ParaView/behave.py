@@ -209,16 +209,14 @@ def selections(folder):
 @test("truth", 1.0)
 def example_of_the_documentation(folder):
     page = pathlib.Path(__file__).resolve().parents[2] / "docs/howto/paraview.md"
-    first, second = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.S)
-    lines = [line for line in first.splitlines() if not line.startswith("LoadPlugin")]
+    (example,) = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.S)
+    lines = [line for line in example.splitlines() if not line.startswith("LoadPlugin")]
     names = {}
     os.chdir(folder)
-    exec(compile("\n".join(lines), page.name, "exec"), names)
-    view = names["view"]
-    view.ViewSize = [1200, 800]
     told = io.StringIO()
     with contextlib.redirect_stdout(told):
-        exec(compile(second, page.name, "exec"), names)
+        exec(compile("\n".join(lines), page.name, "exec"), names)
+    view = names["view"]
     if told.getvalue().count("Sphere") != 6:
         raise AssertionError(f"layers: {told.getvalue()}")
     view.ViewSize = SIZE
