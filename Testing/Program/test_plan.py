@@ -70,6 +70,14 @@ class Plan(FileTest):
         told = plan(SCENE, "--error", "1/255", "--multisamples", "4")
         self.assertIn("the budget is 1/255", told["problem"])
         self.assertGreater(told["methods"][0]["error"], STEP)
+        for command in (
+            ("render", SCENE, "--size", "48x40", "-o", self.folder / "picture.png"),
+            ("compare", SCENE, *SMALL, "--methods", "automatic", "--without-truth"),
+        ):
+            result = run(*command, "--error", "0.6/255", "--multisamples", "4")
+            self.assertEqual(result.returncode, 0)
+            self.assertIn(b"vitrine: note: the error budget is not promised: pictures", result.stderr)
+            self.assertIn(b"errors of up to 1.05/255, and the budget is 0.6/255\n", result.stderr)
 
     def test_without_anything_translucent(self):
         opaque = self.write("opaque.stl", scenes.binary_stl())

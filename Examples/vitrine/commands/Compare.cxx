@@ -84,6 +84,11 @@ void Compare(const CompareOptions& options)
   const ComparisonResult comparison = CompareMethods(scene, settings, progress,
     [&](const ComparisonResult& soFar)
     { WriteUnfinished(options.Json, [&] { return ToJson(soFar); }); });
+  progress.Hide();
+  for (const MethodResult& result : comparison.Results)
+  {
+    PrintBudgetProblem(result.Statistics);
+  }
   if (chart)
   {
     RecordScene(comparison, 0, *chart);

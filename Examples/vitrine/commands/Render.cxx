@@ -45,6 +45,8 @@ void Render(const RenderOptions& options)
   Stage stage(scene, std::move(method), size, options.Scene.Multisamples);
   stage.Draw(PlaceCamera(scene, ChooseView(options.Scene, scene), size.Aspect()));
   WritePicture(options.Output, stage.ReadPixels(), size);
+  progress.Hide();
+  PrintBudgetProblem(stage.GetMethod().Statistics());
 }
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iostream>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -174,6 +175,15 @@ std::vector<std::string> ExpandGroup(const std::string& name)
 std::string Method::SetCoincidence(const Coincidence& coincidence)
 {
   return coincidence.IsOn() ? "it has no tolerance within which fragments coincide" : "";
+}
+
+void PrintBudgetProblem(const MethodStatistics& statistics)
+{
+  if (!statistics.BudgetProblem.empty())
+  {
+    std::cerr << "vitrine: note: the error budget is not promised: " << statistics.BudgetProblem
+              << "\n";
+  }
 }
 
 std::string Method::SetErrorBudget(double)

@@ -35,7 +35,8 @@ struct MethodStatistics
   std::optional<std::int64_t> Bytes;
   std::optional<std::string> Chosen;     ///< the method that one with an error budget chose
   std::optional<double> GuaranteedError; ///< the largest error that the frame can have
-  StageTimes Stages;                     ///< empty unless they are measured
+  std::string BudgetProblem; ///< why that is more than the error budget; empty if it is not
+  StageTimes Stages;         ///< empty unless they are measured
 };
 
 /** The tolerance within which fragments coincide; see vtkTolerantTransparencyPass::SetCoincidenceSteps(). */
@@ -81,6 +82,9 @@ public:
 /** The method that has an error budget, and the budget that it has by default. */
 inline constexpr const char* AutomaticName = "automatic";
 inline constexpr double DefaultErrorBudget = 1.0 / 255.0;
+
+/** Notes on stderr that a frame may exceed its error budget, if it may. */
+void PrintBudgetProblem(const MethodStatistics& statistics);
 
 /** What the method automatic keeps. */
 struct AutomaticLimits

@@ -93,6 +93,7 @@ MethodStatistics AutomaticMethod::Statistics() const
   {
     statistics.Chosen = pass->GetChosenMethod();
     statistics.GuaranteedError = pass->GetGuaranteedError();
+    statistics.BudgetProblem = pass->GetBudgetProblem();
   }
   return statistics;
 }

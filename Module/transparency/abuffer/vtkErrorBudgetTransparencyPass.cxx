@@ -24,6 +24,17 @@ vtkStandardNewMacro(vtkErrorBudgetTransparencyPass);
 vitrineTransparencyMethodMacro(
   vtkErrorBudgetTransparencyPass, "automatic", true, vitrine::TranslucentTraits);
 
+namespace
+{
+
+/** Returns an error in steps of 8 bits, such as "1.05/255", rounded up. */
+std::string StepsText(double error)
+{
+  return vitrine::NumberText(std::ceil(100.0 * 255.0 * error - 1e-6) / 100.0) + "/255";
+}
+
+}
+
 struct vtkErrorBudgetTransparencyPass::Choice
 {
   vitrine::MethodChooser Chooser;
@@ -334,9 +345,8 @@ std::string vtkErrorBudgetTransparencyPass::GetBudgetProblem()
   return this->GuaranteedError <= this->ErrorBudget ? std::string()
     : std::isinf(this->GuaranteedError)
     ? "errors have no bound where light is added, and in floating-point targets"
-    : "pictures of this kind have errors of up to " +
-      vitrine::NumberText(255.0 * this->GuaranteedError) + "/255, and the budget is " +
-      vitrine::NumberText(255.0 * this->ErrorBudget) + "/255";
+    : "pictures of this kind have errors of up to " + StepsText(this->GuaranteedError) +
+      ", and the budget is " + StepsText(this->ErrorBudget);
 }
 
 //------------------------------------------------------------------------------
