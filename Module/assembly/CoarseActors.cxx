@@ -238,11 +238,15 @@ private:
     const glm::dvec3 middle(matrix * glm::dvec4(speck.Middle, 1.0));
     piece.FirstOfSpeck = static_cast<std::uint32_t>(first);
     piece.BoundOfSpeck = piece.Rounding + piece.Scale * speck.Bound;
+    const glm::dmat3 turn(matrix);
+    const glm::dvec3 front = (piece.IsMirrored ? -1.0 : 1.0) *
+      glm::cross(
+        turn * (speck.Corners[1] - speck.Corners[0]), turn * (speck.Corners[2] - speck.Corners[0]));
     for (const glm::dvec3& corner : speck.Corners)
     {
       const glm::dvec3 moved(matrix * glm::dvec4(corner, 1.0));
       const glm::dvec3 point = moved + this->Parts.Place(part).Offset;
-      const glm::dvec3 normal = glm::normalize(moved - middle);
+      const glm::dvec3 normal = glm::normalize(speck.IsSheet ? front : moved - middle);
       places->SetTuple(first, &point.x);
       if (normals->GetNumberOfTuples() > 0)
       {
@@ -375,7 +379,7 @@ void CoarseActors::Compose(Group& group)
   {
     if (piece.By == Piece::SPECK)
     {
-      add(CornersOfSpeck, piece.FirstOfSpeck, piece.IsMirrored);
+      add(TrianglesOf(*piece.Detail->Speck), piece.FirstOfSpeck, piece.IsMirrored);
     }
     else if (piece.By == Piece::LEVEL)
     {

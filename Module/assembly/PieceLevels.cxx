@@ -21,8 +21,6 @@ constexpr double LeastShare = 0.8;
 /** So many triangles of a part in each pixel are enough, whatever their area. */
 constexpr double TrianglesOfPixel = 16;
 
-constexpr std::size_t TrianglesOfSpeck = CornersOfSpeck.size() / 3;
-
 bool HasArea(const PartDetail& detail, int level)
 {
   const double share = level < 0 ? 1.0 : detail.Shares[static_cast<std::size_t>(level)];
@@ -52,7 +50,7 @@ bool Piece::IsMetByPlane(const LevelRequest& asked) const
 std::size_t Piece::Triangles() const
 {
   return this->By == LEVEL ? this->Corners(this->Level).size() / 3
-    : this->By == SPECK    ? TrianglesOfSpeck
+    : this->By == SPECK    ? TrianglesOf(*this->Detail->Speck).size() / 3
                            : 0;
 }
 
@@ -79,7 +77,9 @@ void Piece::Choose(const LevelRequest& asked, double length)
   {
     --this->Level;
   }
-  if (this->BoundOfSpeck <= length && this->Triangles() > TrianglesOfSpeck)
+  if (this->BoundOfSpeck <= length &&
+    (!HasArea(*this->Detail, this->Level) ||
+      this->Triangles() > TrianglesOf(*this->Detail->Speck).size() / 3))
   {
     this->By = SPECK;
     this->Bound = this->BoundOfSpeck;

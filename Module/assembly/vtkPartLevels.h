@@ -16,7 +16,8 @@
  * A level is made by OpenMesh's decimater, by quadrics. Its distance from the part, both ways (the Hausdorff distance),
  * has a bound that is computed, not estimated. Normals at hard edges, borders of colours and open edges are kept. Its
  * area is nearly that of the part, unless that takes more than 16 triangles a pixel. A tiny part is a tetrahedron of
- * the part's area, where that is within the bound, so that a cloud of closed parts hides as much as it should.
+ * the part's area, or a rectangle if the part is a sheet, where that is within the bound. So a cloud of parts hides as
+ * much as it should.
  *
  * In frames with levels, parts of one look are one actor, and the assembly's own actors are hidden. Between frames all
  * is as it was. So picks, measures and bounds are of the parts themselves. Drawn as they are, too, are:

@@ -35,7 +35,6 @@ using measured_shapes::Points;
 using measured_shapes::Torus;
 using vitrine::AreaOf;
 using vitrine::BoundOfDistance;
-using vitrine::CornersOfSpeck;
 using vitrine::DetailedMesh;
 using vitrine::LengthOfPixels;
 using vitrine::LevelsOf;
@@ -48,6 +47,7 @@ using vitrine::PartMesh;
 using vitrine::PixelView;
 using vitrine::SpeckOf;
 using vitrine::Surface;
+using vitrine::TrianglesOf;
 
 DetailedMesh MeshOf(const measured_shapes::Mesh& mesh)
 {
@@ -409,7 +409,7 @@ TEST(MeshSpeck, OfABallIsATetrahedronOfItsArea)
   const std::optional<MeshSpeck> speck = SpeckOf(ball, NeverStopped);
   ASSERT_TRUE(speck);
   const std::vector<glm::dvec3> corners(speck->Corners.begin(), speck->Corners.end());
-  EXPECT_NEAR(AreaOf(corners, { CornersOfSpeck.begin(), CornersOfSpeck.end() }), area, 1e-9);
+  EXPECT_NEAR(AreaOf(corners, TrianglesOf(*speck)), area, 1e-9);
   const double far = std::sqrt(area / std::sqrt(3.0)) * std::sqrt(3.0 / 8.0);
   for (const glm::dvec3& corner : corners)
   {
@@ -424,12 +424,43 @@ TEST(MeshSpeck, FacesOutwards)
 {
   const std::optional<MeshSpeck> speck = SpeckOf(MeshOf(Torus(3, 1, 16)), NeverStopped);
   ASSERT_TRUE(speck);
-  for (std::size_t i = 0; i < CornersOfSpeck.size(); i += 3)
+  for (std::size_t i = 0; i < TrianglesOf(*speck).size(); i += 3)
   {
-    const auto at = [&](std::size_t corner) { return speck->Corners[CornersOfSpeck[corner]]; };
+    const auto at = [&](std::size_t corner) { return speck->Corners[TrianglesOf(*speck)[corner]]; };
     const glm::dvec3 normal = glm::cross(at(i + 1) - at(i), at(i + 2) - at(i));
     EXPECT_GT(glm::dot(normal, at(i) - speck->Middle), 0);
   }
+}
+
+// A ring has the area 3/4 pi r^2 if half of its radius is a hole, and the square of that area is about its middle. Its
+// corner is half of its diagonal away, and the middle of the ring's hole half of r.
+TEST(MeshSpeck, OfASheetIsARectangleOfItsArea)
+{
+  DetailedMesh ring = MeshOf(Grid(64, 1, true, false,
+    [](double u, double v)
+    {
+      const double angle = 2 * glm::pi<double>() * u;
+      return (1 - 0.5 * v) *
+        glm::dvec3(std::cos(angle), 0.6 * std::sin(angle), 0.8 * std::sin(angle)) +
+        glm::dvec3(5, -3, 1);
+    }));
+  const std::optional<MeshSpeck> speck = SpeckOf(ring, NeverStopped);
+  ASSERT_TRUE(speck);
+  EXPECT_TRUE(speck->IsSheet);
+  EXPECT_EQ(TrianglesOf(*speck).size(), 6u);
+  const std::vector<glm::dvec3> corners(speck->Corners.begin(), speck->Corners.end());
+  const double area = AreaOf(ring.Points, ring.Corners);
+  EXPECT_NEAR(area, 0.75 * glm::pi<double>(), 0.01);
+  EXPECT_NEAR(AreaOf(corners, TrianglesOf(*speck)), area, 1e-9);
+  for (std::size_t i = 0; i < 6; i += 3)
+  {
+    const auto at = [&](std::size_t corner) { return corners[TrianglesOf(*speck)[corner]]; };
+    const glm::dvec3 normal = glm::normalize(glm::cross(at(i + 1) - at(i), at(i + 2) - at(i)));
+    const glm::dvec3 first = glm::normalize(AreaOf(TriangleOf(ring, ring.Corners, 0)));
+    EXPECT_NEAR(glm::dot(normal, first), 1, 1e-6);
+  }
+  EXPECT_GE(speck->Bound, 0.5 - 0.01);
+  EXPECT_LE(speck->Bound, 0.6);
 }
 
 TEST(MeshSpeck, OfAMeshWithoutAreaIsNone)
