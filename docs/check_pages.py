@@ -19,7 +19,7 @@ DOCS = ROOT / "docs"
 LONGEST_SENTENCE = 35
 LONGEST_MEAN = 18
 LONGEST_CELL = 25
-MOST_WORDS = 22000
+MOST_WORDS = 22250
 GENERATED = {  # tables made by commands
     "bench/devices.md",
     "bench/drivers.md",
