@@ -6,8 +6,10 @@ VITRINE_RANKS_PICTURES names a folder for the pictures that differ. VITRINE_RANK
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -81,6 +83,16 @@ class Ranks(unittest.TestCase):
                     self.assertTrue(all(all(row.get("same", [True])) for row in told[case]))
                     for row in told[case]:
                         self.assertIn(REFUSED.get(case, ""), row.get("refused", ""))
+
+    def test_the_script_of_the_page_runs(self):
+        page = (HERE.parents[1] / "docs/howto/several-ranks.md").read_text(encoding="utf-8")
+        script = re.search(r"^```python\n(.*?)^```$", page, re.M | re.S)[1]
+        tell = "if rank == 0: print([ranks.GetFallbackReason(), ranks.GetNumberOfFragments() > 100_000])\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "script.py")
+            path.write_text(script.replace("1280, 720", "640, 360") + tell, encoding="utf-8")
+            result = run(2, script=path)
+        self.assertIn("['', True]", result.stdout, result.stderr)
 
     def test_a_rank_without_the_features_is_told_to_all(self):
         result = run(2, "lacking")
