@@ -12,6 +12,7 @@
 #include "vtkCameraPass.h"
 #include "vtkClusteredLightsPass.h"
 #include "vtkCommand.h"
+#include "vtkDistributedTransparencyPass.h"
 #include "vtkErrorBudgetTransparencyPass.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkNew.h"
@@ -140,6 +141,14 @@ public:
   vtkSmartPointer<vtkSeeThroughPass> Pass;
   std::function<void(vtkRenderer*)> StartFrame;
 };
+
+/** Returns true if VTK peels volumes and translucent geometry together. Ranks draw volumes each by itself. */
+bool PeelsVolumes(vtkOpenGLRenderer* renderer, const vtkRenderState* s, vtkRenderPass* translucent)
+{
+  auto* const ranks = vtkDistributedTransparencyPass::SafeDownCast(translucent);
+  return renderer && (!ranks || ranks->GetNumberOfRanks() == 1) &&
+    vitrine::RendererFlags::PeelsVolumes(renderer, s);
+}
 
 /** Returns true if `frame` is `chain` or a pass below it. `chain` may be null. */
 bool Contains(vtkRenderPass* chain, vtkSeeThroughPass* frame)
@@ -619,7 +628,7 @@ void vtkSeeThroughPass::RenderOwnFrame(const vtkRenderState* s)
 {
   Internals& in = *this->Private;
   auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  const bool peelsVolumes = renderer && vitrine::RendererFlags::PeelsVolumes(renderer, s);
+  const bool peelsVolumes = PeelsVolumes(renderer, s, this->TranslucentPass);
   if (peelsVolumes)
   {
     in.FallbackReason =
@@ -643,7 +652,7 @@ void vtkSeeThroughPass::RenderSteps(const vtkRenderState* s)
 {
   Internals& in = *this->Private;
   auto* const renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
-  const bool peelsVolumes = renderer && vitrine::RendererFlags::PeelsVolumes(renderer, s);
+  const bool peelsVolumes = PeelsVolumes(renderer, s, this->TranslucentPass);
   vtkRenderPassCollection* const passes = this->SequencePass->GetPasses();
   passes->RemoveAllItems();
   for (vtkRenderPass* const step : { this->LightsPass,

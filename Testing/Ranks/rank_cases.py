@@ -15,8 +15,9 @@ import numpy as np
 from mpi4py import MPI  # which initializes MPI
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkParallelMPI import vtkMPIController
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkPointGaussianMapper, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkToneMappingPass
 
 import vitrine
@@ -24,6 +25,7 @@ from pieces import Scene, actor_of, piece_of
 
 SIZE = (160, 120)
 SEED = 54
+BACKGROUND = (0.2, 0.3, 0.4)
 
 comm = MPI.COMM_WORLD
 controller = vtkMPIController()
@@ -62,7 +64,7 @@ class View:
         self.window.SetMultiSamples(0)
         self.renderer = vtkRenderer()
         self.renderer.SetViewport(*viewport)
-        self.renderer.SetBackground(0.2, 0.3, 0.4)
+        self.renderer.SetBackground(*BACKGROUND)
         self.window.AddRenderer(self.renderer)
         self.frame = vitrine.vtkSeeThroughPass()
         self.method = method or vitrine.vtkLinkedListTransparencyPass()
@@ -91,11 +93,15 @@ def method_of_ranks():
     return method
 
 
+def pieces_of(scene, partition="random", ghosts=False):
+    random = np.random.default_rng(SEED)
+    return [piece_of(part, rank, ranks, partition, ghosts, random) for part in split(scene)]
+
+
 def view_of_ranks(scene, partition="random", ghosts=False, **options):
     """This rank's piece of a scene, and the camera that all share."""
     view = View(method=method_of_ranks(), **options)
-    random = np.random.default_rng(SEED)
-    view.add(*(piece_of(part, rank, ranks, partition, ghosts, random) for part in split(scene)))
+    view.add(*pieces_of(scene, partition, ghosts))
     view.method.ResetCamera(view.renderer)
     return view
 
@@ -203,21 +209,21 @@ def all_ranks():
     return found(view, lambda: view_of_one(scene, view), same=same)
 
 
-def splats():
-    """Light that is added, on the last rank alone."""
-    scene = tangle(opaque=0)
+def splats_of():
+    mapper = vtkPointGaussianMapper()
+    mapper.SetInputData(tangle(40, 0).piece(np.arange(40)))
+    mapper.SetScaleFactor(0.1)
+    mapper.ScalarVisibilityOff()
+    mapper.EmissiveOn()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetOpacity(0.5)
+    return actor
 
-    def splats_of():
-        mapper = vtkPointGaussianMapper()
-        mapper.SetInputData(tangle(40, 0).piece(np.arange(40)))
-        mapper.SetScaleFactor(0.1)
-        mapper.ScalarVisibilityOff()
-        mapper.EmissiveOn()
-        actor = vtkActor()
-        actor.SetMapper(mapper)
-        actor.GetProperty().SetOpacity(0.5)
-        return actor
 
+def splats(frames=1):
+    """Light that is added, on the last rank alone. In the first frame, shaders do not expect it."""
+    scene = tangle()
     view = view_of_ranks(scene)
     if rank == ranks - 1:
         view.renderer.AddActor(splats_of())
@@ -228,8 +234,43 @@ def splats():
         other.renderer.AddActor(splats_of())
         return other
 
-    view.picture()
+    for _ in range(frames - 1):
+        view.picture()
     return found(view, one)
+
+
+def drift():
+    """The last rank drew splats alone before, so that its shaders expect them and others do not."""
+    if rank == ranks - 1:
+        view = View(method=method_of_ranks())
+        view.method.SetController(None)
+        view.renderer.AddActor(splats_of())
+        view.renderer.ResetCamera()
+        view.picture()
+    scene = tangle()
+    both = view_of_ranks(scene)
+    if rank == ranks - 1:
+        view.renderer.RemoveAllViewProps()
+        view.method.SetController(controller)
+        view.add(*pieces_of(scene))
+        both = view
+    both.method.ResetCamera(both.renderer)
+    both.picture()  # with other roundings: one rank's first frame without splats has them, too
+    return found(both, lambda: view_of_one(scene, both))
+
+
+def forced():
+    """Ghost cells of an actor whose opaque colours are forced to be translucent."""
+    scene = tangle()
+    scene.colors[:, 3] = 255
+    view = View(method=method_of_ranks())
+    random = np.random.default_rng(SEED)
+    view.add(scene.piece([]), piece_of(scene, rank, ranks, "random", True, random))
+    view.method.ResetCamera(view.renderer)
+    one = View()
+    one.add(scene.piece([]), scene.piece(np.arange(len(scene.triangles))))
+    one.renderer.SetActiveCamera(view.renderer.GetActiveCamera())
+    return found(view, lambda: one)
 
 
 def refused(change):
@@ -289,6 +330,26 @@ def set_size(size):
     return lambda view: view.window.SetSize(*size)
 
 
+def add_grid(view):
+    """Ghost cells that cannot be left out, since their mapper is of another kind."""
+    append = vtkAppendFilter()
+    append.AddInputData(pieces_of(tangle(), ghosts=True)[1])
+    mapper = vtkDataSetMapper()
+    mapper.SetInputConnection(append.GetOutputPort())
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetOpacity(0.5)
+    view.renderer.AddActor(actor)
+
+
+def remove_last(view):
+    view.renderer.RemoveActor(view.renderer.GetActors().GetLastActor())
+
+
+def set_background(color):
+    return lambda view: view.renderer.SetBackground(*color)
+
+
 CASES = {
     **{
         f"{partition}{'-ghosts' if ghosts else ''}": functools.partial(divided, partition, ghosts)
@@ -305,6 +366,9 @@ CASES = {
     "floats": floats,
     "all-ranks": all_ranks,
     "splats": splats,
+    "splats-expected": lambda: splats(2),
+    "drift": drift,
+    "forced": forced,
     "sizes": lambda: refused(on_last(set_size((100, 80)), set_size(SIZE))),
     "cameras": lambda: refused(
         on_last(lambda view: view.renderer.GetActiveCamera().Azimuth(5), lambda view: None)
@@ -316,6 +380,13 @@ CASES = {
     ),
     "memory": lambda: refused(
         on_last(lambda view: view.method.SetMemoryLimit(16), lambda view: view.method.SetMemoryLimit(0))
+    ),
+    "backgrounds": lambda: refused(
+        on_last(set_background((0, 0, 0)), set_background(BACKGROUND)),
+    ),
+    "grids": lambda: refused(on_last(add_grid, remove_last)),
+    "occlusion": lambda: refused(
+        on_last(lambda view: view.renderer.UseSSAOOn(), lambda view: view.renderer.UseSSAOOff())
     ),
     "samples": lambda: refused(
         on_last(lambda view: view.window.SetMultiSamples(4), lambda view: view.window.SetMultiSamples(0))

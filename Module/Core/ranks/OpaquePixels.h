@@ -31,7 +31,7 @@ void PackOpaque(const OpaquePixels& picture, const OwnedPixels& pixels, Message&
 
 /**
  * Takes the pixels of another rank that are nearer than those of `picture`. Of equal depths the colour with the larger
- * words is taken, so that the order of ranks does not matter. Appends to `depths` the other rank's depth of each
+ * words is taken, so that the order of ranks does not matter. Sets `depths` to the other rank's depth of each
  * of the `pixels`. Returns false if the message does not fit.
  */
 bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture,

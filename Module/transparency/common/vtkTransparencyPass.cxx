@@ -386,15 +386,22 @@ void vtkTransparencyPass::TakeStatistics(vtkTransparencyPass* other)
 void vtkTransparencyPass::RenderFallback(const vtkRenderState* s, const std::string& reason)
 {
   Internals& in = *this->Private;
+  this->TellReason(reason);
+  in.Fallback->Render(s);
+  this->NumberOfRenderedProps = in.Fallback->GetNumberOfRenderedProps();
+  this->NumberOfGeometryPasses += 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::TellReason(const std::string& reason)
+{
+  Internals& in = *this->Private;
   in.FallbackReason = reason;
   if (in.Reported.insert(reason).second)
   {
     vtkErrorMacro(<< this->GetMethodName() << " cannot draw here: " << reason
                   << ". Translucent geometry is drawn as VTK does by itself, which is not exact.");
   }
-  in.Fallback->Render(s);
-  this->NumberOfRenderedProps = in.Fallback->GetNumberOfRenderedProps();
-  this->NumberOfGeometryPasses += 1;
 }
 
 //------------------------------------------------------------------------------
@@ -490,6 +497,16 @@ bool vtkTransparencyPass::HasFragments(const vtkRenderState* s)
   vtkProp* const* const props = s->GetPropArray();
   return std::any_of(props, props + s->GetPropArrayCount(),
     [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkTransparencyPass::ExpectAdditiveFragments()
+{
+  if (!this->Private->IsAdditive)
+  {
+    this->Private->IsAdditive = true;
+    this->ShaderStage.Modified();
+  }
 }
 
 //------------------------------------------------------------------------------

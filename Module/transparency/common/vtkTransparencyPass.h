@@ -260,6 +260,16 @@ protected:
   ///@}
 
   /**
+   * Have the shaders of this frame support fragments that are added. Otherwise they do so after a frame with some.
+   */
+  void ExpectAdditiveFragments();
+
+  /**
+   * Set the reason why the last frame was not drawn as it should be, and report it once as an error.
+   */
+  void TellReason(const std::string& reason);
+
+  /**
    * Handle a frame without translucent geometry. The context of the method's OpenGL objects is current.
    */
   virtual void RenderNothing() {}

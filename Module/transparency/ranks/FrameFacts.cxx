@@ -1,6 +1,12 @@
 #include "transparency/ranks/FrameFacts.h"
 
+#include "vtkCollection.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkRenderer.h"
+
 #include <cstring>
+#include <initializer_list>
 
 namespace vitrine
 {
@@ -11,6 +17,22 @@ std::string SizeText(const FrameFacts& facts)
 {
   return std::to_string(facts.Width) + " x " + std::to_string(facts.Height) + " pixels";
 }
+
+// A number that depends on all numbers that were added (FNV-1a).
+struct Fingerprint
+{
+  std::uint64_t Value = 14695981039346656037u;
+
+  void Add(const double* numbers, std::size_t count)
+  {
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(numbers);
+    for (std::size_t i = 0; i < count * sizeof(double); ++i)
+    {
+      this->Value = (this->Value ^ bytes[i]) * 1099511628211u;
+    }
+  }
+  void Add(std::initializer_list<double> numbers) { this->Add(numbers.begin(), numbers.size()); }
+};
 
 // Returns what is different about `facts`, and of `first`, those of rank 0.
 std::string Compare(const FrameFacts& facts, const FrameFacts& first)
@@ -38,11 +60,39 @@ std::string Compare(const FrameFacts& facts, const FrameFacts& first)
   if (facts.Matrices != first.Matrices)
   {
     return "has another camera than rank 0; call SynchronizeCamera() on all ranks before they "
-           "render";
+           "render, and give their cameras the same transforms";
+  }
+  if (facts.Look != first.Look)
+  {
+    return "has other lights or another background than rank 0; give all renderers the same";
   }
   return {};
 }
 
+}
+
+std::uint64_t LookOf(vtkRenderer* renderer)
+{
+  Fingerprint look;
+  look.Add(renderer->GetBackground(), 3);
+  look.Add(renderer->GetBackground2(), 3);
+  look.Add({ double(renderer->GetGradientBackground()), double(renderer->GetTexturedBackground()),
+    renderer->GetBackgroundAlpha() });
+  vtkCollectionSimpleIterator at;
+  vtkLightCollection* const lights = renderer->GetLights();
+  for (lights->InitTraversal(at); vtkLight* const light = lights->GetNextLight(at);)
+  {
+    look.Add(light->GetPosition(), 3);
+    look.Add(light->GetFocalPoint(), 3);
+    look.Add(light->GetAmbientColor(), 3);
+    look.Add(light->GetDiffuseColor(), 3);
+    look.Add(light->GetSpecularColor(), 3);
+    look.Add(light->GetAttenuationValues(), 3);
+    look.Add(
+      { double(light->GetSwitch()), double(light->GetLightType()), double(light->GetPositional()),
+        light->GetIntensity(), light->GetConeAngle(), light->GetExponent() });
+  }
+  return look.Value;
 }
 
 Message FrameFacts::ToMessage() const

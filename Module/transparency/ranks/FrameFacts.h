@@ -6,8 +6,11 @@
 #include "gl/RenderTarget.h"
 #include "scene/ViewMatrices.h"
 
+#include <cstdint>
 #include <string>
 #include <vector>
+
+class vtkRenderer;
 
 namespace vitrine
 {
@@ -25,9 +28,13 @@ struct FrameFacts
   double ToleranceSteps = 0.0;
   double ToleranceSlope = 0.0;
   ViewMatrices Matrices{};
+  std::uint64_t Look = 0; ///< LookOf() the renderer.
 
   Message ToMessage() const;
 };
+
+/** Returns a number that tells the lights and the colours of the background of renderers apart. */
+std::uint64_t LookOf(vtkRenderer* renderer);
 
 /**
  * Compares the facts of all ranks with those of rank 0. Returns what differs first and how to mend it, or an empty

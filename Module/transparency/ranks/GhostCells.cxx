@@ -1,9 +1,12 @@
 #include "transparency/ranks/GhostCells.h"
 
 #include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkMapper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -20,9 +23,24 @@ namespace vitrine
 namespace
 {
 
-bool HasDuplicates(vtkPolyData* data)
+// Returns true if a data set, or a block, has cells that are marked as duplicates.
+bool HasDuplicates(vtkDataObject* data)
 {
-  vtkUnsignedCharArray* const types = data ? data->GetCellGhostArray() : nullptr;
+  if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> at;
+    at.TakeReference(blocks->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    {
+      if (HasDuplicates(at->GetCurrentDataObject()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  auto* const cellular = vtkDataSet::SafeDownCast(data);
+  vtkUnsignedCharArray* const types = cellular ? cellular->GetCellGhostArray() : nullptr;
   if (!types)
   {
     return false;
@@ -32,36 +50,32 @@ bool HasDuplicates(vtkPolyData* data)
     [](unsigned char type) { return (type & vtkDataSetAttributes::DUPLICATECELL) != 0; });
 }
 
-bool HasDuplicates(vtkCompositeDataSet* blocks)
+// Returns the data that an actor draws, as they are now.
+vtkDataObject* InputOf(vtkActor* actor)
 {
-  vtkSmartPointer<vtkCompositeDataIterator> at;
-  at.TakeReference(blocks->NewIterator());
-  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  vtkMapper* const mapper = actor->GetMapper();
+  if (mapper->GetNumberOfInputConnections(0) > 0)
   {
-    if (HasDuplicates(vtkPolyData::SafeDownCast(at->GetCurrentDataObject())))
-    {
-      return true;
-    }
+    mapper->Update();
   }
-  return false;
+  return mapper->GetInputDataObject(0, 0);
 }
 
-// Copies the settings of a mapper, but not its input. The copy of VTK's OpenGL mapper calls deprecated functions and
-// leaves out the method of shifting coordinates.
+// Returns true if a mapper draws polygons with no more settings than those that are copied.
+bool IsPlain(vtkMapper* mapper)
+{
+  return std::string(mapper->GetClassName()) == "vtkOpenGLPolyDataMapper";
+}
+
+// Copies the settings of a plain mapper, but not its input. The copy of VTK's OpenGL mapper calls deprecated functions
+// and leaves out the method of shifting coordinates.
 void CopySettings(vtkMapper* from, vtkMapper* to)
 {
-  auto* const toPolyData = vtkOpenGLPolyDataMapper::SafeDownCast(to);
-  auto* const fromPolyData = vtkOpenGLPolyDataMapper::SafeDownCast(from);
+  auto* const toPlain = vtkOpenGLPolyDataMapper::SafeDownCast(to);
   const vtkSmartPointer<vtkDataObject> input = to->GetInputDataObject(0, 0);
-  if (toPolyData && fromPolyData)
-  {
-    toPolyData->vtkPolyDataMapper::ShallowCopy(from);
-    toPolyData->SetVBOShiftScaleMethod(fromPolyData->GetVBOShiftScaleMethod());
-  }
-  else
-  {
-    to->ShallowCopy(from);
-  }
+  toPlain->vtkPolyDataMapper::ShallowCopy(from);
+  toPlain->SetVBOShiftScaleMethod(
+    vtkOpenGLPolyDataMapper::SafeDownCast(from)->GetVBOShiftScaleMethod());
   to->SetInputDataObject(input);
 }
 
@@ -77,40 +91,57 @@ struct GhostCells::StandIn
 
 GhostCells::GhostCells() = default;
 GhostCells::~GhostCells() = default;
+GhostCells::GhostCells(GhostCells&&) noexcept = default;
+GhostCells& GhostCells::operator=(GhostCells&&) noexcept = default;
 
-std::vector<vtkProp*> GhostCells::WithoutThem(const vtkRenderState* s)
+std::vector<vtkSmartPointer<vtkProp>> GhostCells::WithoutThem(const vtkRenderState* s)
 {
   this->WhyKept.clear();
   this->Former = std::exchange(this->StandIns, {});
-  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
-  for (vtkProp*& prop : props)
+  std::vector<vtkSmartPointer<vtkProp>> props(
+    s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  for (vtkSmartPointer<vtkProp>& prop : props)
   {
-    auto* const actor = vtkActor::SafeDownCast(prop);
-    prop = actor && actor->GetMapper() ? this->StandInOf(actor) : prop;
+    prop = this->WithoutThem(prop);
   }
   this->Former.clear();
   return props;
 }
 
+vtkProp* GhostCells::WithoutThem(vtkProp* prop)
+{
+  if (!prop->GetVisibility() || !prop->HasTranslucentPolygonalGeometry())
+  {
+    return prop;
+  }
+  vtkProp* drawn = prop;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* const path = prop->GetNextPath())
+  {
+    auto* const actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
+    if (!actor || !actor->GetMapper() || !HasDuplicates(InputOf(actor)))
+    {
+      continue;
+    }
+    if (actor == prop && IsPlain(actor->GetMapper()))
+    {
+      drawn = this->StandInOf(actor);
+    }
+    else
+    {
+      this->WhyKept = std::string("data of a ") + actor->GetMapper()->GetClassName() +
+        " have ghost cells, which several ranks would draw; call vtkPolyData::RemoveGhostCells(), "
+        "or draw their "
+        "faces by a vtkPolyDataMapper of an actor of its own";
+    }
+  }
+  return drawn;
+}
+
 vtkProp* GhostCells::StandInOf(vtkActor* actor)
 {
+  auto* const data = vtkPolyData::SafeDownCast(InputOf(actor));
   vtkMapper* const mapper = actor->GetMapper();
-  if (mapper->GetNumberOfInputConnections(0) > 0)
-  {
-    mapper->Update();
-  }
-  vtkDataObject* const input = mapper->GetInputDataObject(0, 0);
-  auto* const blocks = vtkCompositeDataSet::SafeDownCast(input);
-  if (blocks && HasDuplicates(blocks))
-  {
-    this->WhyKept = "some blocks have ghost cells, which several ranks would draw; call "
-                    "vtkPolyData::RemoveGhostCells() of each block";
-  }
-  auto* const data = vtkPolyData::SafeDownCast(input);
-  if (!data || !HasDuplicates(data))
-  {
-    return actor;
-  }
   StandIn& standIn = this->StandIns[actor];
   const auto found = this->Former.find(actor);
   if (found != this->Former.end())
@@ -134,6 +165,8 @@ vtkProp* GhostCells::StandInOf(vtkActor* actor)
     CopySettings(mapper, standIn.Mapper);
     standIn.Actor->ShallowCopy(actor);
     standIn.Actor->SetMapper(standIn.Mapper);
+    standIn.Actor->SetForceOpaque(actor->GetForceOpaque());
+    standIn.Actor->SetForceTranslucent(actor->GetForceTranslucent());
     standIn.LookTime = lookTime;
   }
   return standIn.Actor;

@@ -25,18 +25,21 @@ class GhostCells
 public:
   GhostCells();
   ~GhostCells();
+  GhostCells(GhostCells&&) noexcept;
+  GhostCells& operator=(GhostCells&&) noexcept;
 
   /**
-   * Returns the props of a frame, with stand-ins for actors whose polygonal data have cells that are marked as
-   * duplicates. Data that have changed are cleaned again.
+   * Returns the props of a frame, with stand-ins for translucent actors of a vtkPolyDataMapper whose data have cells
+   * that are marked as duplicates. Data that have changed are cleaned again.
    */
-  std::vector<vtkProp*> WithoutThem(const vtkRenderState* s);
+  std::vector<vtkSmartPointer<vtkProp>> WithoutThem(const vtkRenderState* s);
 
   /** Returns which data of the last frame have ghost cells that cannot be left out, or an empty string. */
   const std::string& Problem() const { return this->WhyKept; }
 
 private:
   struct StandIn;
+  vtkProp* WithoutThem(vtkProp* prop);
   vtkProp* StandInOf(vtkActor* actor);
 
   std::map<vtkActor*, StandIn> StandIns; // of the last frame's actors with ghost cells

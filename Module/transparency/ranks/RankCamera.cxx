@@ -14,7 +14,7 @@ namespace vitrine
 namespace
 {
 
-// Everything that a camera's matrices depend on, but the size of the window.
+// What a camera's matrices depend on, but the size of the window and transforms that users add.
 struct CameraState
 {
   double Position[3];

@@ -25,6 +25,13 @@ void RankPicture::Read(vtkOpenGLState* state, const RenderTarget& target)
   this->Pixels.Farthest = TargetPixels::Farthest(target);
   this->Pixels.Depths = TargetPixels::ReadDepths(state, target);
   this->Pixels.Colors = TargetPixels::ReadColors(state, target);
+  this->Before = this->Pixels;
+}
+
+void RankPicture::PutBack(vtkOpenGLState* state, const RenderTarget& target)
+{
+  this->Transfer.WriteDepths(state, target, this->Before.Depths);
+  this->Transfer.WriteColors(state, target, this->Before.Colors);
 }
 
 std::string RankPicture::CombineOpaque(

@@ -27,6 +27,11 @@ public:
     const RenderTarget& target);
 
   /**
+   * Put back what the target had before CombineOpaque(). Changes the framebuffer bindings and the scissor test.
+   */
+  void PutBack(vtkOpenGLState* state, const RenderTarget& target);
+
+  /**
    * Send the pixels that this rank owns to `pictureRank`, or to all if it is negative. There they are drawn into the
    * target. Changes the framebuffer bindings and the scissor test.
    */
@@ -42,6 +47,7 @@ private:
 
   TargetPixels Transfer;
   OpaquePixels Pixels;
+  OpaquePixels Before; // this rank's own
 };
 
 }

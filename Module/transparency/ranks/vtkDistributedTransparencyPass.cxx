@@ -21,6 +21,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -38,6 +39,7 @@ struct vtkDistributedTransparencyPass::Shared
 {
   vitrine::RankExchange Exchange;
   vitrine::GhostCells Ghosts;
+  std::string GhostProblem; // of this frame
   std::unique_ptr<vitrine::PackedListStore>
     Received = // The lists of the pixels that this rank owns.
     std::make_unique<vitrine::PackedListStore>();
@@ -48,6 +50,7 @@ struct vtkDistributedTransparencyPass::Shared
   bool IsTooLarge = false;           // This rank's lists are not all in its store.
   vitrine::FragmentStatistics Owned; // The numbers of the lists that were composited here.
   bool HasJoined = false;            // The ranks have agreed whether to draw the frame.
+  bool HasCombined = false;          // The target has the nearest opaque pixels of all ranks.
   bool HasAgreed = false;            // The ranks have agreed whether there are lists.
   std::string Problem;               // Why no rank draws the frame.
 };
@@ -78,9 +81,10 @@ void vtkDistributedTransparencyPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkDistributedTransparencyPass::SetController(vtkMultiProcessController* controller)
 {
-  if (controller != this->GetController())
+  const bool isOther = controller != this->GetController();
+  this->Ranks->Exchange.SetController(controller); // which forgets a failure of the same one
+  if (isOther)
   {
-    this->Ranks->Exchange.SetController(controller);
     this->Modified();
   }
 }
@@ -89,6 +93,12 @@ void vtkDistributedTransparencyPass::SetController(vtkMultiProcessController* co
 vtkMultiProcessController* vtkDistributedTransparencyPass::GetController()
 {
   return this->Ranks->Exchange.Controller();
+}
+
+//------------------------------------------------------------------------------
+int vtkDistributedTransparencyPass::GetNumberOfRanks()
+{
+  return this->Ranks->Exchange.Count();
 }
 
 //------------------------------------------------------------------------------
@@ -144,12 +154,16 @@ void vtkDistributedTransparencyPass::Render(const vtkRenderState* s)
     return;
   }
   r.HasJoined = false;
+  r.HasCombined = false;
   r.Problem.clear();
   r.Owned = {};
   r.Exchange.ResetBytes();
   this->SentFragments = 0;
   this->SentFragmentBytes = 0;
-  std::vector<vtkProp*> props = r.Ghosts.WithoutThem(s);
+  // A pass that changes its window forgets the stand-ins within the frame.
+  const std::vector<vtkSmartPointer<vtkProp>> held = r.Ghosts.WithoutThem(s);
+  r.GhostProblem = r.Ghosts.Problem();
+  std::vector<vtkProp*> props(held.begin(), held.end());
   vtkRenderState own(s->GetRenderer());
   own.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
   own.SetFrameBuffer(s->GetFrameBuffer());
@@ -158,7 +172,7 @@ void vtkDistributedTransparencyPass::Render(const vtkRenderState* s)
   if (!r.HasJoined)
   {
     const std::string reason = this->GetFallbackReason();
-    r.Exchange.Agree(reason.empty() ? "the renderer has no pixels" : reason);
+    this->TellReason(r.Exchange.Agree(reason.empty() ? "the renderer has no pixels" : reason));
   }
   this->SentOtherBytes = r.Exchange.BytesSent() - this->SentFragmentBytes;
 }
@@ -186,24 +200,18 @@ std::string vtkDistributedTransparencyPass::RenderFragments(
 }
 
 //------------------------------------------------------------------------------
+// Opaque pixels are combined once, also if the frame is drawn again with other shaders.
 std::string vtkDistributedTransparencyPass::DrawTogether(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Shared& r = *this->Ranks;
-  std::string problem = this->Join(s, target);
+  std::string problem = r.HasCombined ? std::string() : this->Join(s, target);
   if (!problem.empty())
   {
     return problem;
   }
   r.HasAgreed = false;
-  if (!r.Owners.Divide(target.Region, target.Width, r.Exchange.Count()))
-  {
-    r.Owners = vitrine::TileOwners(target.Region, target.Width, r.Exchange.Count());
-  }
-  {
-    const vitrine::StageTimer::Section section(this->GetStageTimer(), "opaque");
-    problem = r.Picture.CombineOpaque(r.Exchange, r.Owners, this->GetWindow()->GetState(), target);
-  }
+  problem = r.HasCombined ? std::string() : this->CombineOpaque(target);
   if (problem.empty())
   {
     problem = this->Superclass::RenderFragments(s, target);
@@ -212,11 +220,58 @@ std::string vtkDistributedTransparencyPass::DrawTogether(
   {
     problem = this->AgreeOnLists(problem);
   }
-  if (problem == DrawnAgain || !r.Problem.empty())
+  if (problem == DrawnAgain)
   {
     return problem;
   }
-  return this->SendPicture(target, problem);
+  problem = r.Problem.empty() ? this->SendPicture(target, problem) : r.Problem;
+  if (!problem.empty())
+  {
+    r.Picture.PutBack(this->GetWindow()->GetState(), target);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkDistributedTransparencyPass::CombineOpaque(const vitrine::RenderTarget& target)
+{
+  Shared& r = *this->Ranks;
+  const vitrine::StageTimer::Section section(this->GetStageTimer(), "opaque");
+  if (!r.Owners.Divide(target.Region, target.Width, r.Exchange.Count()))
+  {
+    r.Owners = vitrine::TileOwners(target.Region, target.Width, r.Exchange.Count());
+  }
+  r.HasCombined = true;
+  return r.Picture.CombineOpaque(r.Exchange, r.Owners, this->GetWindow()->GetState(), target);
+}
+
+//------------------------------------------------------------------------------
+// Returns why this rank cannot draw a frame with others, or an empty string.
+std::string vtkDistributedTransparencyPass::FindHindrance(
+  vtkRenderer* renderer, const vitrine::RenderTarget& target)
+{
+  const Shared& r = *this->Ranks;
+  if (target.Samples > 0)
+  {
+    return "the window is multisampled, which ranks cannot draw together; call SetMultiSamples(0)";
+  }
+  if (this->PictureRank >= r.Exchange.Count())
+  {
+    return "the picture is for rank " + std::to_string(this->PictureRank) + " of " +
+      std::to_string(r.Exchange.Count());
+  }
+  if (renderer->GetUseSSAO() || renderer->GetUseShadows())
+  {
+    return "ambient occlusion and shadows see the geometry of one rank alone; call UseSSAOOff() "
+           "and "
+           "UseShadowsOff()";
+  }
+  if (renderer->GetPreserveDepthBuffer() && this->PictureRank >= 0)
+  {
+    return "the renderer preserves the depth of pixels that another rank has; call "
+           "SetPictureRank(-1)";
+  }
+  return r.GhostProblem;
 }
 
 //------------------------------------------------------------------------------
@@ -226,21 +281,18 @@ std::string vtkDistributedTransparencyPass::Join(
 {
   Shared& r = *this->Ranks;
   r.HasJoined = true;
-  std::string problem = r.Ghosts.Problem();
-  if (target.Samples > 0)
-  {
-    problem =
-      "the window is multisampled, which ranks cannot draw together; call SetMultiSamples(0)";
-  }
-  else if (this->PictureRank >= r.Exchange.Count())
-  {
-    problem = "the picture is for rank " + std::to_string(this->PictureRank) + " of " +
-      std::to_string(r.Exchange.Count());
-  }
-  problem = r.Exchange.Agree(problem);
+  const std::string problem = r.Exchange.Agree(this->FindHindrance(s->GetRenderer(), target));
   if (!problem.empty())
   {
     return problem;
+  }
+  for (const std::vector<std::uint64_t>& told :
+    r.Exchange.GatherNumbers({ this->HasAdditiveFragments() ? 1u : 0u }))
+  {
+    if (told[0] > 0)
+    {
+      this->ExpectAdditiveFragments();
+    }
   }
   const vitrine::CoincidenceTolerance tolerance = this->GetTolerance();
   vitrine::FrameFacts facts;
@@ -254,6 +306,7 @@ std::string vtkDistributedTransparencyPass::Join(
   facts.ToleranceSteps = tolerance.Steps;
   facts.ToleranceSlope = tolerance.Slope;
   facts.Matrices = vitrine::ViewMatricesOf(s->GetRenderer());
+  facts.Look = vitrine::LookOf(s->GetRenderer());
   const std::string difference = vitrine::FindDifference(r.Exchange.GatherAll(facts.ToMessage()));
   return r.Exchange.Failure().empty() ? difference : r.Exchange.Failure();
 }
@@ -362,7 +415,8 @@ std::string vtkDistributedTransparencyPass::RenderBands(
   if (!plan.Fits)
   {
     r.Problem = "one pixel alone has " + std::to_string(plan.LargestPixel) +
-      " fragments of all ranks, and a rank has room for " + std::to_string(capacity);
+      " fragments of all ranks, and the rank with the least memory has room for " +
+      std::to_string(capacity) + "; give SetMemoryLimit() more";
     return r.Problem;
   }
   for (const vitrine::PixelRegion& band : plan.Bands)
@@ -422,7 +476,6 @@ std::string vtkDistributedTransparencyPass::JoinLists(
   {
     return r.Exchange.Failure();
   }
-  vitrine::PixelLists joined;
   std::string problem =
     vitrine::JoinLists(r.Own, owners.PixelsOf(own), messages, VITRINE_LARGEST_COUNT, r.Joined);
   if (problem.empty())
@@ -485,13 +538,26 @@ void vtkDistributedTransparencyPass::ReleaseMethodResources()
 {
   this->Ranks->Received->Release();
   this->Ranks->Picture.Release();
+  this->ForgetFrame();
   this->Superclass::ReleaseMethodResources();
 }
 
 //------------------------------------------------------------------------------
 void vtkDistributedTransparencyPass::ForgetMethodResources()
 {
-  this->Ranks->Received = std::make_unique<vitrine::PackedListStore>();
-  this->Ranks->Picture = vitrine::RankPicture();
+  this->ForgetFrame();
   this->Superclass::ForgetMethodResources();
+}
+
+//------------------------------------------------------------------------------
+// Frees what the last frame left in memory.
+void vtkDistributedTransparencyPass::ForgetFrame()
+{
+  Shared& r = *this->Ranks;
+  r.Received = std::make_unique<vitrine::PackedListStore>();
+  r.Picture = vitrine::RankPicture();
+  r.Ghosts = vitrine::GhostCells();
+  r.Owners = vitrine::TileOwners();
+  r.Own = {};
+  r.Joined = {};
 }

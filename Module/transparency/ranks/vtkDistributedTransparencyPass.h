@@ -32,15 +32,15 @@
  * @endcode
  *
  * Ghost cells, those that vtkDataSetAttributes::DUPLICATECELL marks, are left out. They are copies of cells that
- * another rank draws. In composite data they are an error of the frame: call vtkPolyData::RemoveGhostCells() of the
- * blocks.
+ * another rank draws. That is done for actors with a vtkPolyDataMapper. Elsewhere they are an error of the frame: call
+ * vtkPolyData::RemoveGhostCells().
  *
  * VTK moves the coordinates of a mapper before they become floats, by bounds that pieces of one mesh do not share.
  * Where single meshes are divided, switch that off by SetVBOShiftScaleMethod() of their mappers, or fragments differ in
  * their last bits.
  *
- * Limits: no multisampled windows. Volumes and what is drawn after the translucent geometry are those of the rank
- * itself. PartNumbers tell the parts of the rank itself.
+ * Limits: no multisampled windows, no ambient occlusion and no shadows. A skybox is on all ranks. Volumes and what is
+ * drawn after the translucent geometry are those of the rank itself. PartNumbers tell the parts of the rank itself.
  *
  * Sources: S. Molnar, M. Cox, D. Ellsworth, H. Fuchs: A Sorting Classification of Parallel Rendering, IEEE Computer
  * Graphics and Applications 14 (1994), sort-last; W. M. Hsu: Segmented Ray Casting for Data Parallel Volume Rendering,
@@ -80,6 +80,11 @@ public:
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController();
   ///@}
+
+  /**
+   * Get the number of ranks that draw together, 1 without a controller.
+   */
+  int GetNumberOfRanks();
 
   ///@{
   /**
@@ -147,13 +152,16 @@ private:
   void operator=(const vtkDistributedTransparencyPass&) = delete;
 
   std::string DrawTogether(const vtkRenderState* s, const vitrine::RenderTarget& target);
+  std::string FindHindrance(vtkRenderer* renderer, const vitrine::RenderTarget& target);
   std::string Join(const vtkRenderState* s, const vitrine::RenderTarget& target);
+  std::string CombineOpaque(const vitrine::RenderTarget& target);
   std::string AgreeOnLists(const std::string& problem);
   bool FitsInOnePiece();
   std::string RenderBands(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string JoinLists(const vitrine::RenderTarget& target, const vitrine::PixelRegion& region);
   std::string SendPicture(const vitrine::RenderTarget& target, const std::string& problem);
   void TakeTotals();
+  void ForgetFrame();
 
   struct Shared;
   std::unique_ptr<Shared> Ranks;
