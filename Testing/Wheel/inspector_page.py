@@ -16,6 +16,7 @@ import unittest
 
 import numpy
 from PIL import Image
+from selenium.common.exceptions import StaleElementReferenceException
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.support.ui import WebDriverWait
@@ -113,7 +114,9 @@ class PageCase(unittest.TestCase):
 
     @classmethod
     def wait_for(cls, condition):
-        return WebDriverWait(cls.browser, PATIENCE, 0.02).until(lambda _: condition())
+        """Wait until a condition holds. It does not while the page replaces an element that it asks about."""
+        wait = WebDriverWait(cls.browser, PATIENCE, 0.02, ignored_exceptions=[StaleElementReferenceException])
+        return wait.until(lambda _: condition())
 
     @classmethod
     def find(cls, name):
