@@ -4,12 +4,36 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace vitrine
 {
 
 using Message = std::vector<unsigned char>;
+
+/** Returns the bytes of a value. */
+template <class Value>
+Message MessageOf(const Value& value)
+{
+  static_assert(std::is_trivially_copyable<Value>::value, "bytes are copied");
+  Message message(sizeof(value));
+  std::memcpy(message.data(), &value, sizeof(value));
+  return message;
+}
+
+/** Takes the value of a message of MessageOf(). Returns false if it has another size. */
+template <class Value>
+bool TakeValue(const Message& message, Value& value)
+{
+  const bool fits = message.size() == sizeof(value);
+  if (fits)
+  {
+    std::memcpy(&value, message.data(), sizeof(value));
+  }
+  return fits;
+}
 
 /** Appends numbers to a message. */
 class MessageWriter

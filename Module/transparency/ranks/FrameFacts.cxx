@@ -5,7 +5,7 @@
 #include "vtkLightCollection.h"
 #include "vtkRenderer.h"
 
-#include <cstring>
+#include <cstddef>
 #include <initializer_list>
 
 namespace vitrine
@@ -95,23 +95,15 @@ std::uint64_t LookOf(vtkRenderer* renderer)
   return look.Value;
 }
 
-Message FrameFacts::ToMessage() const
-{
-  Message message(sizeof(*this));
-  std::memcpy(message.data(), this, sizeof(*this));
-  return message;
-}
-
 std::string FindDifference(const std::vector<Message>& factsOfRanks)
 {
   std::vector<FrameFacts> facts(factsOfRanks.size());
   for (std::size_t rank = 0; rank < facts.size(); ++rank)
   {
-    if (factsOfRanks[rank].size() != sizeof(FrameFacts))
+    if (!TakeValue(factsOfRanks[rank], facts[rank]))
     {
       return "rank " + std::to_string(rank) + " has another version of this library than others";
     }
-    std::memcpy(&facts[rank], factsOfRanks[rank].data(), sizeof(FrameFacts));
     const std::string difference = Compare(facts[rank], facts[0]);
     if (!difference.empty())
     {

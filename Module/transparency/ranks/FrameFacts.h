@@ -29,8 +29,6 @@ struct FrameFacts
   double ToleranceSlope = 0.0;
   ViewMatrices Matrices{};
   std::uint64_t Look = 0; ///< LookOf() the renderer.
-
-  Message ToMessage() const;
 };
 
 /** Returns a number that tells the lights and the colours of the background of renderers apart. */

@@ -131,8 +131,7 @@ vtkProp* GhostCells::WithoutThem(vtkProp* prop)
     {
       this->WhyKept = std::string("data of a ") + actor->GetMapper()->GetClassName() +
         " have ghost cells, which several ranks would draw; call vtkPolyData::RemoveGhostCells(), "
-        "or draw their "
-        "faces by a vtkPolyDataMapper of an actor of its own";
+        "or draw their faces by a vtkPolyDataMapper of an actor of its own";
     }
   }
   return drawn;

@@ -6,7 +6,6 @@
 #include "vtkMath.h"
 #include "vtkRenderer.h"
 
-#include <cstring>
 #include <vector>
 
 namespace vitrine
@@ -59,25 +58,6 @@ void Apply(const CameraState& state, vtkCamera* camera)
   camera->SetUseHorizontalViewAngle(state.UseHorizontalViewAngle);
 }
 
-template <class State>
-Message MessageOf(const State& state)
-{
-  Message message(sizeof(state));
-  std::memcpy(message.data(), &state, sizeof(state));
-  return message;
-}
-
-template <class State>
-bool TakeFrom(const Message& message, State& state)
-{
-  if (message.size() != sizeof(state))
-  {
-    return false;
-  }
-  std::memcpy(&state, message.data(), sizeof(state));
-  return true;
-}
-
 }
 
 Bounds BoundsOfRanks(RankExchange& ranks, vtkRenderer* renderer)
@@ -88,7 +68,7 @@ Bounds BoundsOfRanks(RankExchange& ranks, vtkRenderer* renderer)
   for (const Message& message : ranks.GatherAll(MessageOf(own)))
   {
     Bounds bounds;
-    if (TakeFrom(message, bounds) && vtkMath::AreBoundsInitialized(bounds.data()))
+    if (TakeValue(message, bounds) && vtkMath::AreBoundsInitialized(bounds.data()))
     {
       all.AddBounds(bounds.data());
     }
@@ -104,7 +84,7 @@ void ShareCamera(RankExchange& ranks, vtkRenderer* renderer, const Bounds& bound
 {
   vtkCamera* const camera = renderer->GetActiveCamera();
   CameraState state = StateOf(camera);
-  if (TakeFrom(ranks.GatherAll(MessageOf(state)).front(), state))
+  if (TakeValue(ranks.GatherAll(MessageOf(state)).front(), state))
   {
     Apply(state, camera);
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <functional>
 
 namespace vitrine
 {
@@ -71,6 +72,29 @@ std::vector<std::vector<std::uint64_t>> RankExchange::GatherNumbers(
     all.push_back(std::move(taken));
   }
   return all;
+}
+
+std::vector<std::uint32_t> RankExchange::Sums(const std::vector<std::uint32_t>& words)
+{
+  Message message;
+  MessageWriter(message).AddWords(words.data(), words.size());
+  std::vector<std::uint32_t> sums(words.size());
+  std::vector<std::uint32_t> taken(words.size());
+  for (const Message& told : this->GatherAll(message))
+  {
+    MessageReader(told).TakeWords(taken.data(), taken.size());
+    std::transform(sums.begin(), sums.end(), taken.begin(), sums.begin(), std::plus<>());
+  }
+  return sums;
+}
+
+std::uint64_t RankExchange::Least(std::uint64_t number)
+{
+  for (const std::vector<std::uint64_t>& told : this->GatherNumbers({ number }))
+  {
+    number = std::min(number, told[0]);
+  }
+  return number;
 }
 
 std::string RankExchange::Agree(const std::string& problem)

@@ -36,6 +36,12 @@ public:
   /** Tell all ranks so many numbers. Returns those of all ranks; those that a failure lost are 0. */
   std::vector<std::vector<std::uint64_t>> GatherNumbers(const std::vector<std::uint64_t>& numbers);
 
+  /** Returns the sums of the words of all ranks, place by place. All ranks give the same number of words. */
+  std::vector<std::uint32_t> Sums(const std::vector<std::uint32_t>& words);
+
+  /** Returns the least of a number of each rank. */
+  std::uint64_t Least(std::uint64_t number);
+
   /**
    * Tell the others this rank's problem, or that it has none. Returns the problems of all ranks that have one, as in
    * "rank 2: ..., rank 3: ...". Equal ones are told once. It is empty if there is none.

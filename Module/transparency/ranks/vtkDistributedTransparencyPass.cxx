@@ -21,7 +21,6 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -263,8 +262,7 @@ std::string vtkDistributedTransparencyPass::FindHindrance(
   if (renderer->GetUseSSAO() || renderer->GetUseShadows())
   {
     return "ambient occlusion and shadows see the geometry of one rank alone; call UseSSAOOff() "
-           "and "
-           "UseShadowsOff()";
+           "and UseShadowsOff()";
   }
   if (renderer->GetPreserveDepthBuffer() && this->PictureRank >= 0)
   {
@@ -307,7 +305,8 @@ std::string vtkDistributedTransparencyPass::Join(
   facts.ToleranceSlope = tolerance.Slope;
   facts.Matrices = vitrine::ViewMatricesOf(s->GetRenderer());
   facts.Look = vitrine::LookOf(s->GetRenderer());
-  const std::string difference = vitrine::FindDifference(r.Exchange.GatherAll(facts.ToMessage()));
+  const std::string difference =
+    vitrine::FindDifference(r.Exchange.GatherAll(vitrine::MessageOf(facts)));
   return r.Exchange.Failure().empty() ? difference : r.Exchange.Failure();
 }
 
@@ -394,22 +393,9 @@ std::string vtkDistributedTransparencyPass::RenderBands(
   const vtkRenderState* s, const vitrine::RenderTarget& target)
 {
   Shared& r = *this->Ranks;
-  vitrine::Message counts;
-  vitrine::MessageWriter(counts).AddWords(r.Own.Counts.data(), r.Own.Counts.size());
-  std::vector<std::uint32_t> needs(r.Own.Counts.size());
-  std::vector<std::uint32_t> words(r.Own.Counts.size());
-  for (const vitrine::Message& told : r.Exchange.GatherAll(counts))
-  {
-    vitrine::MessageReader(told).TakeWords(words.data(), words.size());
-    std::transform(needs.begin(), needs.end(), words.begin(), needs.begin(), std::plus<>());
-  }
-  std::uint64_t capacity = std::numeric_limits<std::uint64_t>::max();
-  const auto units = static_cast<std::uint64_t>(
-    std::min(r.Received->CapacityUnits(), this->GetStore().CapacityUnits()));
-  for (const std::vector<std::uint64_t>& told : r.Exchange.GatherNumbers({ units }))
-  {
-    capacity = std::min(capacity, told[0]);
-  }
+  const std::vector<std::uint32_t> needs = r.Exchange.Sums(r.Own.Counts);
+  const std::uint64_t capacity = r.Exchange.Least(static_cast<std::uint64_t>(
+    std::min(r.Received->CapacityUnits(), this->GetStore().CapacityUnits())));
   const vitrine::BandPlan plan =
     vitrine::PlanBands(needs, target.Width, target.Height, capacity, target.Region);
   if (!plan.Fits)
@@ -453,9 +439,10 @@ std::string vtkDistributedTransparencyPass::JoinLists(
 {
   Shared& r = *this->Ranks;
   const int own = r.Exchange.Rank();
-  const vitrine::TileOwners owners = region == target.Region
-    ? r.Owners
-    : vitrine::TileOwners(region, target.Width, r.Exchange.Count());
+  const bool isBand = !(region == target.Region);
+  const vitrine::TileOwners ownersOfBand =
+    isBand ? vitrine::TileOwners(region, target.Width, r.Exchange.Count()) : vitrine::TileOwners();
+  const vitrine::TileOwners& owners = isBand ? ownersOfBand : r.Owners;
   std::vector<vitrine::Message> messages(r.Exchange.Count());
   {
     const vitrine::StageTimer::Section section(this->GetStageTimer(), "send");
