@@ -57,9 +57,8 @@ std::string DepthCopy::CopyImage(vtkOpenGLState* state, const RenderTarget& targ
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
   state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Target.Handle());
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
-    target.DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
-    this->Depth.Target(), this->Depth.Handle(), 0);
+  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER, target.ReadyDepthAttachment(), this->Depth.Target(),
+    this->Depth.Handle(), 0);
   SetDrawBuffers(state, { GL_NONE });
   BlitDepth(state, target.Region);
   state->PopFramebufferBindings();

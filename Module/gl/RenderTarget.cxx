@@ -140,9 +140,19 @@ void RenderTarget::BindForFill(
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+GLenum RenderTarget::ReadyDepthAttachment() const
+{
+  if (this->DepthHasStencil)
+  {
+    return GL_DEPTH_STENCIL_ATTACHMENT;
+  }
+  glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT, GL_RENDERBUFFER, 0);
+  return GL_DEPTH_ATTACHMENT;
+}
+
 void RenderTarget::AttachDepth() const
 {
-  this->Depth.AttachAs(this->DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT);
+  this->Depth.AttachAs(this->ReadyDepthAttachment());
 }
 
 }

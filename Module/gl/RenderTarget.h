@@ -87,6 +87,13 @@ struct RenderTarget
    */
   void BindForFill(vtkOpenGLState* state, GLuint framebuffer, const PixelRegion& region) const;
 
+  /**
+   * Returns as which attachment an image of this target's depth format is attached to the framebuffer that is bound for
+   * drawing. A stencil that was attached with the depth of a former target is removed, or the framebuffer would not be
+   * complete.
+   */
+  GLenum ReadyDepthAttachment() const;
+
   /** Attach this target's depth to the framebuffer bound for drawing, so that the depth test uses the opaque depth. */
   void AttachDepth() const;
 

@@ -141,9 +141,8 @@ std::string TargetPixels::WriteDepths(
   Upload(state, target, this->Depths, writing.Format, writing.Type,
     pairs.empty() ? words.data() : pairs.data());
   BindForDrawing(state, this->DepthTarget.Handle());
-  glFramebufferTexture2D(GL_DRAW_FRAMEBUFFER,
-    target.DepthHasStencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-    this->Depths.Handle(), 0);
+  glFramebufferTexture2D(
+    GL_DRAW_FRAMEBUFFER, target.ReadyDepthAttachment(), GL_TEXTURE_2D, this->Depths.Handle(), 0);
   SetDrawBuffers(state, { GL_NONE });
   BindForReading(state, this->DepthTarget.Handle());
   BlitInto(state, target, GL_DEPTH_BUFFER_BIT);

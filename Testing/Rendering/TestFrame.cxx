@@ -25,6 +25,7 @@
 #include "vtkShadowMapPass.h"
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
+#include "vtkTransparencyPass.h"
 #include "vtkTruthTransparencyPass.h"
 #include "vtkVersionMacros.h"
 
@@ -132,6 +133,34 @@ TEST_P(FrameChain, StaysAroundTruth)
 
 INSTANTIATE_TEST_SUITE_P(Chains, FrameChain, testing::ValuesIn(Chains()),
   [](const auto& info) { return std::string(info.param.first); });
+
+// A method's framebuffers then had the stencil of the window and the depth of the tone mapping.
+TEST(Frame, IsExactInATargetWithoutStencilAfterOneWithIt)
+{
+  const auto draw = [](vtkTransparencyPass* method, bool startsInWindow)
+  {
+    FrameScene scene;
+    scene.Window->SetStencilCapable(1);
+    vtkNew<vtkSeeThroughPass> frame;
+    frame->SetTranslucentPass(method);
+    scene.Renderer->SetPass(frame);
+    if (startsInWindow)
+    {
+      scene.Render();
+    }
+    scene.Renderer->SetPass(Around<vtkToneMappingPass>(ByCamera(frame)));
+    Picture picture = scene.Render();
+    EXPECT_STREQ(frame->GetFallbackReason(), "");
+    return picture;
+  };
+  for (const char* const name : { "linked-list", "truth" })
+  {
+    SCOPED_TRACE(name);
+    const auto method = [name]
+    { return vtkSmartPointer<vtkTransparencyPass>::Take(vtkTransparencyPass::NewMethod(name)); };
+    EXPECT_TRUE(Matches(draw(method(), true), draw(method(), false)));
+  }
+}
 
 // Opaque geometry that a later pass draws again does not cover what is translucent.
 TEST(Frame, DrawsGlassBehindShadowsThatComeLater)
