@@ -1,18 +1,26 @@
-"""Runs ParaView's other programs under an X server: programs.py PLUGIN FOLDER server RANKS, programs.py PLUGIN FOLDER
-window. Prints lines of JSON, as draw.py does.
+"""Runs ParaView's other programs under an X server: programs.py PLUGIN FOLDER server RANKS, the same with batch RANKS,
+and with window. Prints lines of JSON, as draw.py does.
 """
 
 import json
 import os
 import pathlib
+import re
 import socket
 import subprocess
 import sys
 
 HERE = pathlib.Path(__file__).parent
+sys.path.insert(0, str(HERE))
+sys.dont_write_bytecode = True
+
+from pictures import difference, read  # noqa: E402
+
 MPI = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np"]
 OFFSCREEN = "--force-offscreen-rendering"
-REFUSAL = "Vitrine draws on one rank, and these are"
+REFUSED = {  # on several ranks, with these words
+    "volume": "Vitrine does not draw volumes on several ranks",
+    "ambient occlusion": "ambient occlusion and shadows see the geometry of one rank alone"}
 
 
 def free_port():
@@ -33,11 +41,40 @@ def run_server(plugin, folder, ranks):
         server.terminate()
         server.wait()
     print(client.stdout)
-    if int(ranks) > 1:
-        row = {"scene": f"a server of {ranks} ranks is refused in words", "by": "the message", "allowed": 0.0}
-        row |= {"wrong": 0.0} if REFUSAL in client.stdout else {"error": "the client shows no message"}
-        print(json.dumps(row))
     return client.returncode
+
+
+def draw_on_ranks(plugin, folder, ranks):
+    """What ranks.py told on so many ranks of pvbatch, by scenes, with the picture of each."""
+    done = subprocess.run(
+        [*MPI, ranks, "pvbatch", OFFSCREEN, HERE / "ranks.py", plugin, folder], timeout=600, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=True)
+    told = {row.pop("scene"): row for row in map(json.loads, re.findall(r"^{.*}$", done.stdout, re.M))}
+    for name, row in told.items():
+        row["picture"] = read(folder / f"ranks-{ranks}" / f"{name.replace(' ', '-')}.png")
+    return told
+
+
+def judge(row, right):
+    """The part of a row of the table that tells how far a scene is from that of one rank."""
+    wrong = difference(row.pop("picture"), right["picture"])
+    others = {key: (value, right[key]) for key, value in row.items() if value != right[key]}
+    return {"wrong": wrong} | ({"error": f"what ranks and one rank tell: {others}"} if others else {})
+
+
+def run_batch(plugin, folder, ranks):
+    """Run ranks.py on several ranks of pvbatch, and on one."""
+    told, one = (draw_on_ranks(plugin, folder, count) for count in (ranks, "1"))
+    for name, row in told.items():
+        allowed = 1.0 if name == "contours" else 0.0
+        line = {"scene": f"{name}; ranks of pvbatch: {ranks}", "by": "one rank", "allowed": allowed}
+        if name in REFUSED:
+            is_told = REFUSED[name] in row["FallbackReason"][0]
+            line |= {"by": "the message", **({"wrong": 0.0} if is_told else {"error": f"told: {row}"})}
+        else:
+            line |= judge(row, one[name])
+        print(json.dumps(line))
+    return 0
 
 
 def run_window(plugin, folder):
@@ -58,7 +95,7 @@ def run_window(plugin, folder):
 
 
 def main(plugin, folder, what, *arguments):
-    run = {"server": run_server, "window": run_window}[what]
+    run = {"server": run_server, "batch": run_batch, "window": run_window}[what]
     return run(plugin, pathlib.Path(folder), *arguments)
 
 

@@ -1,7 +1,7 @@
 """Vitrine's view with data and drawing on a server: pvpython remote.py PLUGIN FOLDER PORT RANKS.
 
-A pvserver of so many ranks listens at the port. The picture is drawn on the server, and on the client. Prints a line of
-JSON for each. A server of several ranks draws as ParaView does, and says so.
+A pvserver of so many ranks listens at the port. The picture is drawn on the client, and on the server. Prints a line of
+JSON for each.
 """
 
 import json
@@ -22,11 +22,6 @@ ON_CLIENT, ON_SERVER = 1e6, 0  # megabytes from which on data are drawn on the s
 def glass(view):
     """Few spheres: each takes ParaView half a second with a server."""
     scenes.spheres(view, 4, 0.3)
-
-
-def opaque(view):
-    """Surfaces alone: lines of ParaView's own views of one session differ between views."""
-    scenes.spheres(view, 1, 1.0)
 
 
 def show(kind, scene):
@@ -69,26 +64,12 @@ def draw_exactly(folder, *thresholds):
     return rows
 
 
-def draw_by_ranks(folder):
-    own = draw(show("RenderView", opaque), ON_SERVER, folder)
-    view = show("VitrineRenderView", opaque)
-    row = {"by": "ParaView's own", "allowed": 0.0, "wrong": difference(own, draw(view, ON_SERVER, folder))}
-    reasons = answers_of(view)
-    if not all("Vitrine draws on one rank" in reason for reason in (reasons[0][0], reasons[4][0])):
-        row["error"] = f"what the client is told: {reasons}"
-    return row
-
-
 def main(plugin, folder, port, ranks):
     folder = pathlib.Path(folder)
     Connect("127.0.0.1", int(port))  # a clean root does not know "localhost"
     LoadPlugin(plugin, remote=True, ns=globals())
     LoadPlugin(plugin, remote=False, ns=globals())
-    if int(ranks) > 1:
-        rows = [*draw_exactly(folder, ON_CLIENT), draw_by_ranks(folder)]
-    else:
-        rows = draw_exactly(folder, ON_CLIENT, ON_SERVER)
-    for place, row in zip(("client", "server"), rows):
+    for place, row in zip(("client", "server"), draw_exactly(folder, ON_CLIENT, ON_SERVER)):
         print(json.dumps({"scene": f"drawn on the {place}; ranks of the server: {ranks}"} | row), flush=True)
     Disconnect()
 

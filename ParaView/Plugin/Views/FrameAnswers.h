@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+class vtkMultiProcessController;
 class vtkPVSession;
 
 namespace vitrine
@@ -32,6 +33,12 @@ struct FrameAnswers
   vtkIdType CulledParts = 0;
   std::string LayersProblem; ///< why the layers cannot be told, or empty
   std::vector<LayerOfPixel> Layers;
+
+  /**
+   * Gives rank 0 the layers of all ranks, and the sum of the parts that they left out. Each rank has found the layers
+   * of its own geometry. All ranks of the controller call this.
+   */
+  void Gather(vtkMultiProcessController* ranks);
 
   /** Sends the answers to the client, or receives those of the server. Does nothing where there is one process. */
   void Exchange(vtkPVSession* session);

@@ -2,6 +2,7 @@
 
 #include "FrameAnswers.h"
 #include "LayersUnderPixel.h"
+#include "RanksOfView.h"
 #include "SectionOfView.h"
 
 #include "vtkABufferTransparencyPass.h"
@@ -15,13 +16,13 @@
 #include "vtkPVDataRepresentation.h"
 #include "vtkPVSession.h"
 #include "vtkPVSynchronizedRenderer.h"
-#include "vtkProcessModule.h"
 #include "vtkRenderer.h"
 #include "vtkSeeThroughPass.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTransparencyPass.h"
 
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkVitrineRenderView);
@@ -33,13 +34,6 @@ constexpr vtkTypeInt64 Mebibyte = 1024 * 1024;
 /** Returns why this process cannot draw exactly, or an empty string. */
 std::string FindHindrance(bool tiles, bool cave)
 {
-  const int ranks = vtkProcessModule::GetProcessModule()->GetNumberOfLocalPartitions();
-  if (ranks > 1)
-  {
-    return "Vitrine draws on one rank, and these are " + std::to_string(ranks) +
-      ", so ParaView itself draws this view. Start the server or pvbatch with one rank, or draw "
-      "on the client: Edit, Settings, Render View, Remote Render Threshold";
-  }
   if (tiles || cave)
   {
     return std::string("Vitrine does not draw ") + (tiles ? "on tiled displays" : "in a CAVE") +
@@ -54,8 +48,11 @@ struct vtkVitrineRenderView::Internals
   vtkNew<vtkSeeThroughPass> Frame;
   vtkNew<vtkClusteredLightsPass> Lights;
   vtkNew<vtkHierarchicalSBufferCuller> Culler;
-  std::string Hindrance; ///< Why this process draws as ParaView does.
-  bool IsTold = false;   ///< The hindrance was told.
+  vtkSmartPointer<vtkTransparencyPass> Method; ///< draws the translucent geometry of one rank
+  std::optional<vitrine::RanksOfView> Ranks;   ///< none where this process is the only one
+  std::string Hindrance; ///< Why this process never draws but as ParaView does.
+  std::string Reason;    ///< Why ParaView draws this frame, or empty.
+  std::string Told;      ///< the last reason that was told
   vitrine::SectionOfView Section;
   vitrine::LayersUnderPixel Layers;
   vitrine::FrameAnswers Answers;  ///< of the last frame
@@ -68,10 +65,8 @@ struct vtkVitrineRenderView::Internals
   double CoincidenceSteps = 0.0;
   double CoincidenceSlope = 0.0;
 
-  vtkTransparencyPass* Method()
-  {
-    return vtkTransparencyPass::SafeDownCast(this->Frame->GetTranslucentPass());
-  }
+  /** Returns the method that draws, that of all ranks where there are several. */
+  vtkTransparencyPass* Drawing() { return this->Ranks ? this->Ranks->Pass() : this->Method.Get(); }
 
   /** Changes a setting of the method. */
   template <class Value>
@@ -85,9 +80,9 @@ struct vtkVitrineRenderView::Internals
   vitrine::FrameAnswers AnswersOf(vtkRenderer* renderer)
   {
     vitrine::FrameAnswers answers;
-    if (!this->Hindrance.empty())
+    if (!this->Reason.empty())
     {
-      answers.Reason = answers.LayersProblem = this->Hindrance;
+      answers.Reason = answers.LayersProblem = this->Reason;
       return answers;
     }
     answers.Reason = this->Frame->GetFallbackReason();
@@ -95,14 +90,18 @@ struct vtkVitrineRenderView::Internals
     {
       answers.Reason = this->Section.Section->GetFallbackReason();
     }
-    answers.Fragments = this->Method()->GetNumberOfFragments();
-    answers.MostLayers = this->Method()->GetMaximumNumberOfLayers();
+    answers.Fragments = this->Drawing()->GetNumberOfFragments();
+    answers.MostLayers = this->Drawing()->GetMaximumNumberOfLayers();
     if (renderer->GetCullers()->IsItemPresent(this->Culler))
     {
       answers.CullingReason = this->Culler->GetReason();
       answers.CulledParts = this->Culler->GetNumberOfCulledParts();
     }
     this->Layers.Find(renderer, answers);
+    if (this->Ranks)
+    {
+      answers.Gather(this->Ranks->Pass()->GetController());
+    }
     return answers;
   }
 
@@ -120,7 +119,7 @@ struct vtkVitrineRenderView::Internals
   /** Gives the method those of the settings that it has. */
   void Configure()
   {
-    auto* const method = this->Method();
+    vtkTransparencyPass* const method = this->Drawing();
     if (auto* const tolerant = vtkTolerantTransparencyPass::SafeDownCast(method))
     {
       tolerant->SetCoincidenceSteps(this->CoincidenceSteps);
@@ -147,7 +146,13 @@ vtkVitrineRenderView::vtkVitrineRenderView()
 {
   Internals& in = *this->Private;
   in.Hindrance = FindHindrance(this->InTileDisplayMode(), this->InCaveDisplayMode());
-  if (in.Hindrance.empty())
+  in.Method = vtkTransparencyPass::SafeDownCast(in.Frame->GetTranslucentPass());
+  if (in.Hindrance.empty() && vitrine::RanksOfView::Count() > 1)
+  {
+    in.Ranks.emplace(this->GetSession(), in.Frame);
+    in.Frame->SetTranslucentPass(in.Ranks->Pass());
+  }
+  else if (in.Hindrance.empty())
   {
     this->SynchronizedRenderers->SetRenderPass(in.Frame);
   }
@@ -169,7 +174,7 @@ void vtkVitrineRenderView::SetTransparencyMethod(const char* name)
 {
   Internals& in = *this->Private;
   const std::string wanted = name ? name : "";
-  if (wanted == in.Method()->GetMethodName())
+  if (wanted == in.Method->GetMethodName())
   {
     return;
   }
@@ -181,7 +186,8 @@ void vtkVitrineRenderView::SetTransparencyMethod(const char* name)
                                           << vtkTransparencyPass::GetMethods());
     return;
   }
-  in.Frame->SetTranslucentPass(method);
+  in.Method = method;
+  in.Frame->SetTranslucentPass(in.Drawing());
   in.Configure();
   this->Modified();
 }
@@ -452,27 +458,76 @@ void vtkVitrineRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
   Internals& in = *this->Private;
-  if (!in.Hindrance.empty() && !in.IsTold)
+  if (!in.Reason.empty() && in.Reason != in.Told)
   {
-    in.IsTold = true;
-    vtkErrorMacro(<< in.Hindrance);
+    vtkErrorMacro(<< in.Reason);
   }
+  in.Told = in.Reason;
 }
+
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::Render(bool interactive, bool skipRendering)
 {
-  this->Superclass::Render(interactive, skipRendering);
   if (skipRendering || this->GetMakingSelection())
   {
+    this->Superclass::Render(interactive, skipRendering);
     return;
   }
-  Internals& in = *this->Private;
-  in.Answers = in.AnswersOf(this->GetRenderer());
   const bool isRemote = interactive && this->GetUseLODForInteractiveRender()
     ? this->GetUseDistributedRenderingForLODRender()
     : this->GetUseDistributedRenderingForRender();
+  Internals& in = *this->Private;
+  in.Reason = in.Ranks ? this->FindHindranceOfRanks(isRemote) : in.Hindrance;
+  if (in.Ranks && in.Reason.empty())
+  {
+    this->RenderTogether(interactive);
+  }
+  else
+  {
+    this->Superclass::Render(interactive, skipRendering);
+  }
+  in.Answers = in.AnswersOf(this->GetRenderer());
   if (isRemote)
   {
     in.Answers.Exchange(this->GetSession());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Returns why the ranks cannot draw this frame together, the same on all of them.
+std::string vtkVitrineRenderView::FindHindranceOfRanks(bool isDistributed)
+{
+  if (!isDistributed)
+  {
+    return "ParaView draws this view on one of several ranks";
+  }
+  if (this->GetEnableOSPRay())
+  {
+    return "ParaView draws this view by ray tracing";
+  }
+  return vitrine::RanksOfView::FindHindrance(this->GetRenderer());
+}
+
+//------------------------------------------------------------------------------
+// Draws a frame on all ranks. No geometry is moved for an order of ranks.
+void vtkVitrineRenderView::RenderTogether(bool interactive)
+{
+  const bool needsOrder = this->NeedsOrderedCompositing;
+  this->NeedsOrderedCompositing = false;
+  {
+    const vitrine::RanksOfView::Frame frame(
+      *this->Private->Ranks, this->GetRenderer(), this->SynchronizedRenderers);
+    this->Superclass::Render(interactive, false);
+  }
+  this->NeedsOrderedCompositing = needsOrder;
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::ConfigureCompressor(const char* configuration)
+{
+  this->Superclass::ConfigureCompressor(configuration);
+  if (this->Private->Ranks)
+  {
+    this->Private->Ranks->ConfigureCompressor(configuration);
   }
 }

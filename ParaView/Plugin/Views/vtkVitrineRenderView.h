@@ -9,11 +9,13 @@
  * The planes and the box of a section cut what the view shows. Each frame tells which sources and blocks lie under a
  * pixel. A server that draws sends its answers to its client with the picture.
  *
- * A process that draws together with other ranks, on a tiled display or in a CAVE, draws as ParaView does, and tells
- * why: fragments are not exchanged between ranks yet.
+ * Several ranks of a server or of pvbatch draw a frame together, by a vtkDistributedTransparencyPass in place of the
+ * view's method and of ParaView's compositing. No geometry is moved. The layers under a pixel are those of all ranks.
+ * Caps of a section are drawn on parts that are whole on one rank. With volumes, on tiled displays and in a CAVE ranks
+ * draw as ParaView does, and tell why.
  *
  * @sa
- * vtkSeeThroughPass vtkSection vtkLayerPicker
+ * vtkSeeThroughPass vtkDistributedTransparencyPass vtkSection vtkLayerPicker
  */
 #ifndef vtkVitrineRenderView_h
 #define vtkVitrineRenderView_h
@@ -41,7 +43,7 @@ public:
 
   /**
    * Set the name of the method for translucent geometry, one of vtkTransparencyPass::GetMethods(). The default is
-   * "linked-list". Another name is an error and is ignored.
+   * "linked-list". Another name is an error and is ignored. Several ranks have a method of their own.
    */
   void SetTransparencyMethod(const char* name);
 
@@ -156,6 +158,11 @@ public:
   void SetMaximumNumberOfPeels(int peels) override;
 
   /**
+   * Set how a server compresses pictures for its client, as vtkPVRenderView does.
+   */
+  void ConfigureCompressor(const char* configuration);
+
+  /**
    * Get why the last frame was not drawn exactly, also where a server drew it. The string is empty if it was. It is
    * valid until the next frame.
    */
@@ -181,6 +188,8 @@ private:
   vtkVitrineRenderView(const vtkVitrineRenderView&) = delete;
   void operator=(const vtkVitrineRenderView&) = delete;
 
+  std::string FindHindranceOfRanks(bool isDistributed);
+  void RenderTogether(bool interactive);
   void UpdateSection();
   std::string NameOfSource(unsigned int representation);
 

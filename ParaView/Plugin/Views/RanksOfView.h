@@ -1,0 +1,66 @@
+/** Draws a view on several ranks together, in place of ParaView's compositing. */
+#ifndef VITRINE_PARAVIEW_RANKS_OF_VIEW_H
+#define VITRINE_PARAVIEW_RANKS_OF_VIEW_H
+
+#include "vtkDistributedTransparencyPass.h"
+#include "vtkNew.h"
+#include "vtkPVSynchronizedRenderer.h"
+#include "vtkRenderPass.h"
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkPVSession;
+class vtkRenderer;
+
+namespace vitrine
+{
+
+/**
+ * ParaView's IceT blends or compares pictures of ranks. Here ranks exchange fragments while they draw, and what rank 0
+ * has drawn is the picture. So these frames have a synchronizer of their own, which takes that picture as it is. Where
+ * ranks could not draw a frame together, the synchronizer takes the nearest of their pixels.
+ */
+class RanksOfView
+{
+public:
+  /** The session is that of the view, and `frame` draws its frames. */
+  RanksOfView(vtkPVSession* session, vtkRenderPass* frame);
+
+  /** Returns the number of ranks that this process belongs to. */
+  static int Count();
+
+  /** Returns why ranks cannot draw the renderer's props together, the same on all. It is empty if they can. */
+  static std::string FindHindrance(vtkRenderer* renderer);
+
+  /** Returns the translucent pass of frames that all ranks draw. */
+  vtkDistributedTransparencyPass* Pass() { return this->Transparency; }
+
+  /** Set how pictures are compressed on the way to the client. */
+  void ConfigureCompressor(const char* configuration);
+
+  /** As long as it lives, ranks draw the renderer's frames together, by a synchronizer in place of ParaView's. */
+  class Frame
+  {
+  public:
+    Frame(RanksOfView& ranks, vtkRenderer* renderer, vtkPVSynchronizedRenderer*& synchronizer);
+    ~Frame();
+    Frame(const Frame&) = delete;
+    void operator=(const Frame&) = delete;
+
+  private:
+    RanksOfView& Ranks;
+    vtkRenderer* Renderer;
+    vtkPVSynchronizedRenderer*& Synchronizer;
+    vtkPVSynchronizedRenderer* Own;
+    vtkSmartPointer<vtkRenderPass> OwnPass;
+  };
+
+private:
+  vtkNew<vtkDistributedTransparencyPass> Transparency;
+  vtkNew<vtkPVSynchronizedRenderer> Together;
+};
+
+}
+
+#endif
