@@ -6,6 +6,8 @@
 #include "inspection/LayerCapture.h"
 #include "inspection/PixelRays.h"
 #include "scene/PartNumbers.h"
+#include "scene/ViewMatrices.h"
+#include "transparency/ranks/RankExchange.h"
 
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
@@ -29,6 +31,7 @@ vtkStandardNewMacro(vtkLayerPicker);
 struct vtkLayerPicker::Internals
 {
   vtkWeakPointer<vtkRenderer> Renderer;
+  vitrine::RankExchange Ranks;
   vtkNew<vitrine::LayerCapture> Capture;
   std::string Problem;
 
@@ -36,6 +39,8 @@ struct vtkLayerPicker::Internals
   int Samples = 1;
   std::optional<vitrine::PixelRays> Rays;
   std::vector<vitrine::LayerFragment> Fragments;
+  std::vector<vitrine::RankPart>
+    Parts; ///< of the fragments' numbers, if several ranks have been asked
   vitrine::PixelLayers Layers;
   std::size_t Listed = 0;
   std::array<double, 3> Triple{};
@@ -51,6 +56,7 @@ struct vtkLayerPicker::Internals
   void Clear()
   {
     this->Fragments.clear();
+    this->Parts.clear();
     this->Layers = {};
     this->Listed = 0;
     this->Rays.reset();
@@ -67,11 +73,31 @@ struct vtkLayerPicker::Internals
     return this->Has(layer) ? &this->Fragments[this->Layers.Layers[layer].Fragment] : nullptr;
   }
 
+  /** Returns the part that has a number, with or without a flag. It is empty if another rank has the part. */
   vitrine::ShownPart PartOf(std::uint32_t number) const
   {
-    return this->Renderer
-      ? vitrine::PartNumbers::Of(this->Renderer).PartOf(number & ~vitrine::LayerFragment::BackFace)
-      : vitrine::ShownPart();
+    number &= ~vitrine::LayerFragment::BackFace;
+    if (!this->Parts.empty())
+    {
+      if (number >= this->Parts.size() || this->RankOf(number) != this->Ranks.Rank())
+      {
+        return {};
+      }
+      number = this->Parts[number].Part;
+    }
+    return this->Renderer ? vitrine::PartNumbers::Of(this->Renderer).PartOf(number)
+                          : vitrine::ShownPart();
+  }
+
+  int RankOf(std::uint32_t number) const
+  {
+    number &= ~vitrine::LayerFragment::BackFace;
+    return this->Parts.empty() ? 0 : static_cast<int>(this->Parts[number].Rank);
+  }
+
+  std::size_t NumberOfPixels() const
+  {
+    return static_cast<std::size_t>(this->Pixels.Width) * this->Pixels.Height;
   }
 
   /** Removes opaque layers, which were needed to know what they hide. */
@@ -120,6 +146,7 @@ void vtkLayerPicker::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->GetRenderer() << "\n";
+  os << indent << "Controller: " << this->GetController() << "\n";
   os << indent << "Area: " << this->Area[0] << " " << this->Area[1] << " " << this->Area[2] << " "
      << this->Area[3] << "\n";
   os << indent << "BehindOpaque: " << this->BehindOpaque << "\n";
@@ -144,6 +171,21 @@ vtkRenderer* vtkLayerPicker::GetRenderer()
   return this->Private->Renderer;
 }
 
+void vtkLayerPicker::SetController(vtkMultiProcessController* controller)
+{
+  const bool isOther = controller != this->GetController();
+  this->Private->Ranks.SetController(controller); // which forgets a failure of the same one
+  if (isOther)
+  {
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkLayerPicker::GetController()
+{
+  return this->Private->Ranks.Controller();
+}
+
 bool vtkLayerPicker::Pick()
 {
   Internals& in = *this->Private;
@@ -158,6 +200,28 @@ bool vtkLayerPicker::Pick()
 }
 
 std::string vtkLayerPicker::FindLayers()
+{
+  Internals& in = *this->Private;
+  std::string problem = this->FindFragments();
+  if (in.Ranks.Count() > 1)
+  {
+    problem = this->JoinRanks(problem);
+  }
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  in.Layers =
+    vitrine::SortLayers(in.Fragments, in.NumberOfPixels(), in.Samples, this->BehindOpaque);
+  if (!this->OpaqueLayers)
+  {
+    in.DropOpaque();
+  }
+  return {};
+}
+
+/** Finds the fragments of this rank. */
+std::string vtkLayerPicker::FindFragments()
 {
   Internals& in = *this->Private;
   if (!in.Renderer)
@@ -180,14 +244,52 @@ std::string vtkLayerPicker::FindLayers()
   in.Pixels = { left, bottom, right - left + 1, top - bottom + 1 };
   in.Samples = std::max(frame.Samples, 1);
   in.Rays.emplace(in.Renderer);
-  problem = this->Gather(frame, bottom, in.Pixels.Height);
-  in.Layers = vitrine::SortLayers(in.Fragments,
-    static_cast<std::size_t>(in.Pixels.Width) * in.Pixels.Height, in.Samples, this->BehindOpaque);
-  if (!this->OpaqueLayers)
+  return this->Gather(frame, bottom, in.Pixels.Height);
+}
+
+/** Takes the fragments of all ranks in place of those of this one, which has a problem or not. */
+std::string vtkLayerPicker::JoinRanks(const std::string& problem)
+{
+  Internals& in = *this->Private;
+  const std::string agreed = in.Ranks.Agree(problem);
+  if (!agreed.empty())
   {
-    in.DropOpaque();
+    return agreed;
   }
-  return problem;
+  vitrine::Message facts = vitrine::MessageOf(vitrine::ViewMatricesOf(in.Renderer));
+  for (const int fact : { in.Pixels.X, in.Pixels.Y, in.Pixels.Width, in.Pixels.Height, in.Samples,
+         int(this->BehindOpaque), int(this->OpaqueLayers) })
+  {
+    vitrine::MessageWriter(facts).AddNumber(static_cast<std::uint64_t>(fact));
+  }
+  const std::vector<vitrine::Message> factsOfRanks = in.Ranks.GatherAll(facts);
+  const auto other = std::find_if(factsOfRanks.begin(), factsOfRanks.end(),
+    [&](const vitrine::Message& message) { return message != factsOfRanks.front(); });
+  if (other != factsOfRanks.end())
+  {
+    return "rank " + std::to_string(other - factsOfRanks.begin()) +
+      " asks for other pixels or layers than rank 0, or has another camera; let all ranks pick "
+      "alike";
+  }
+  constexpr std::size_t WordsOfLayer = sizeof(vitrine::LayerFragment) / sizeof(std::uint32_t);
+  const vitrine::PixelLayers own =
+    vitrine::SortLayers(in.Fragments, in.NumberOfPixels(), in.Samples, this->BehindOpaque);
+  vitrine::Message layers;
+  for (const vitrine::PixelLayer& layer : own.Layers)
+  {
+    vitrine::MessageWriter(layers).AddWords(
+      reinterpret_cast<const std::uint32_t*>(&in.Fragments[layer.Fragment]), WordsOfLayer);
+  }
+  std::vector<std::vector<vitrine::LayerFragment>> ofRanks;
+  for (const vitrine::Message& message : in.Ranks.GatherAll(layers))
+  {
+    ofRanks.emplace_back(message.size() / sizeof(vitrine::LayerFragment));
+    vitrine::MessageReader(message).TakeWords(
+      reinterpret_cast<std::uint32_t*>(ofRanks.back().data()),
+      ofRanks.back().size() * WordsOfLayer);
+  }
+  in.Fragments = vitrine::JoinLayers(ofRanks, in.Parts);
+  return in.Ranks.Failure();
 }
 
 /** Takes the fragments of rows of pixels. If the driver has no room for them, half of the rows are taken at once. */
@@ -268,6 +370,12 @@ unsigned int vtkLayerPicker::GetBlock(vtkIdType layer)
 {
   const auto* f = this->Private->Of(layer);
   return f ? this->GetBlockOfPart(f->Part) : 0;
+}
+
+int vtkLayerPicker::GetRank(vtkIdType layer)
+{
+  const auto* f = this->Private->Of(layer);
+  return f ? this->Private->RankOf(f->Part) : -1;
 }
 
 vtkIdType vtkLayerPicker::GetCellId(vtkIdType layer)

@@ -33,10 +33,13 @@
  * drawn last is in front, as in the depth test. Tolerances for coincidence are not regarded. In multisampled windows a
  * layer has the depth of one place in the pixel, and shares are means over the pixel's samples.
  *
+ * With a controller, the layers of all its ranks are told, as if one rank had all parts. Then each rank calls Pick(),
+ * with one rectangle, camera and settings.
+ *
  * Pixels are display coordinates: whole numbers from the window's lower left corner.
  *
  * @sa
- * vtkABufferTransparencyPass vtkSeeThroughPass vtkHardwareSelector
+ * vtkABufferTransparencyPass vtkDistributedTransparencyPass vtkSeeThroughPass vtkHardwareSelector
  */
 #ifndef vtkLayerPicker_h
 #define vtkLayerPicker_h
@@ -49,6 +52,7 @@
 
 class vtkFloatArray;
 class vtkIdTypeArray;
+class vtkMultiProcessController;
 class vtkProp;
 class vtkRenderer;
 class vtkUnsignedIntArray;
@@ -76,6 +80,15 @@ public:
    */
   void SetRenderer(vtkRenderer* renderer);
   vtkRenderer* GetRenderer();
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the controller of the ranks whose layers are told, as in vtkDistributedTransparencyPass. The default is
+   * null: the layers of this rank alone.
+   */
+  void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController();
   ///@}
 
   ///@{
@@ -118,6 +131,7 @@ public:
   /**
    * Find the layers of the rectangle in the last frame. Returns false, with a reason in GetProblem(), if the renderer
    * has drawn no frame, if a pixel is outside its viewport, or if the driver cannot capture fragments (OpenGL 4.3).
+   * With a controller, all ranks call this, and get the same layers or the reasons of the ranks that have one.
    */
   bool Pick();
 
@@ -140,16 +154,22 @@ public:
   ///@{
   /**
    * Get the part of a layer: its prop, and the flat index of its block, which is 0 for a prop without blocks. The prop
-   * is null if it is gone, or if there is no such layer. The range is 0 to GetNumberOfLayers() - 1.
+   * is null if it is gone, if another rank has it, or if there is no such layer. The range is 0 to
+   * GetNumberOfLayers() - 1.
    */
   vtkProp* GetProp(vtkIdType layer);
   unsigned int GetBlock(vtkIdType layer);
   ///@}
 
   /**
+   * Get the rank that has the part of a layer. It is 0 without a controller, and -1 if there is no such layer.
+   */
+  int GetRank(vtkIdType layer);
+
+  /**
    * Get the cell of a layer: the id of the cell of its part's data whose intersection with the ray through the pixel's
    * centre is nearest in depth. It is searched on the CPU. Returns -1 if the ray meets no cell, as at the rim of a
-   * surface, and for lines and points.
+   * surface, for lines and points, and for parts of other ranks.
    */
   vtkIdType GetCellId(vtkIdType layer);
 
@@ -221,7 +241,8 @@ public:
 
   ///@{
   /**
-   * Get the part that has a number of GetPartNumbers(). The prop is null if it is gone, or if there is no such number.
+   * Get the part that has a number of GetPartNumbers(). The prop is null if it is gone, if another rank has it, or if
+   * there is no such number.
    */
   vtkProp* GetPropOfPart(unsigned int number);
   unsigned int GetBlockOfPart(unsigned int number);
@@ -245,6 +266,8 @@ private:
   void operator=(const vtkLayerPicker&) = delete;
 
   std::string FindLayers();
+  std::string FindFragments();
+  std::string JoinRanks(const std::string& problem);
   std::string Gather(const vitrine::FrameOfRenderer& frame, int bottom, int rows);
   void MakeArrays();
 

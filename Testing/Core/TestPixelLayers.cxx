@@ -122,6 +122,92 @@ TEST(PixelLayers, StayInTheirPixels)
   EXPECT_EQ(SortLayers({}, 0, 1, true).Offsets, (std::vector<std::size_t>{ 0 }));
 }
 
+// Returns the layers of ranks, each in its order, as SortLayers() gives them.
+std::vector<std::vector<LayerFragment>> SortedOnEach(
+  const std::vector<std::vector<LayerFragment>>& ofRanks, std::size_t pixels, bool keepHidden)
+{
+  std::vector<std::vector<LayerFragment>> sorted;
+  for (const std::vector<LayerFragment>& fragments : ofRanks)
+  {
+    sorted.emplace_back();
+    for (const vitrine::PixelLayer& layer : SortLayers(fragments, pixels, 1, keepHidden).Layers)
+    {
+      sorted.back().push_back(fragments[layer.Fragment]);
+    }
+  }
+  return sorted;
+}
+
+TEST(PixelLayers, OfRanksAreThoseOfOne)
+{
+  constexpr std::size_t Pixels = 4;
+  std::mt19937 random(7);
+  const auto below = [&](std::uint32_t end) { return std::uint32_t(random() % end); };
+  for (const bool keepHidden : { false, true })
+  {
+    std::vector<LayerFragment> all;
+    std::vector<std::vector<LayerFragment>> ofRanks(3);
+    for (std::uint32_t i = 0; i < 200; ++i)
+    {
+      const bool isOpaque = below(10) == 0;
+      // Translucent ones have equal depths, and some equal colours, too.
+      const float depth = isOpaque ? 0.1f + 0.001f * float(i) : 0.1f * float(below(8));
+      LayerFragment f = LayerOf(depth, 0.25f * float(1 + below(3)), below(5),
+        isOpaque ? LayerFragment::Opaque : 0, 1, below(Pixels));
+      f.Part |= below(2) * LayerFragment::BackFace;
+      ofRanks[below(3)].push_back(f);
+    }
+    for (std::size_t rank = 0; rank < 3; ++rank)
+    {
+      for (LayerFragment f : ofRanks[rank])
+      {
+        f.Part += 100 * std::uint32_t(rank);
+        all.push_back(f);
+      }
+    }
+    const PixelLayers expected = SortLayers(all, Pixels, 1, keepHidden);
+    std::vector<vitrine::RankPart> parts;
+    const std::vector<LayerFragment> joined =
+      vitrine::JoinLayers(SortedOnEach(ofRanks, Pixels, keepHidden), parts);
+    const PixelLayers layers = SortLayers(joined, Pixels, 1, keepHidden);
+    ASSERT_EQ(layers.Offsets, expected.Offsets);
+    for (std::size_t i = 0; i < layers.Layers.size(); ++i)
+    {
+      const LayerFragment& a = joined[layers.Layers[i].Fragment];
+      const LayerFragment& b = all[expected.Layers[i].Fragment];
+      const vitrine::RankPart& part = parts.at(a.Part & ~LayerFragment::BackFace);
+      EXPECT_EQ(layers.Layers[i].Share, expected.Layers[i].Share);
+      EXPECT_EQ(a.Depth, b.Depth);
+      EXPECT_EQ(a.Part & LayerFragment::BackFace, b.Part & LayerFragment::BackFace);
+      EXPECT_EQ(100 * part.Rank + part.Part, b.Part & ~LayerFragment::BackFace);
+    }
+  }
+}
+
+// The picture of ranks has the larger colour, of those that each rank's depth test left.
+TEST(PixelLayers, OfRanksThatAreOpaqueAndOfEqualDepthHaveTheLargerColorInFront)
+{
+  const std::uint32_t later = LayerFragment::Opaque | 1u << LayerFragment::FirstDrawBit;
+  const auto of = [](float blue, std::uint32_t part, std::uint32_t kind)
+  {
+    LayerFragment f = LayerOf(0.5f, 1.0f, part, kind);
+    f.Rgba[2] = blue;
+    return f;
+  };
+  const std::vector<std::vector<LayerFragment>> ofRanks = { { of(0.9f, 1, LayerFragment::Opaque),
+                                                              of(0.3f, 2, later) },
+    { of(0.1f, 3, LayerFragment::Opaque), of(0.6f, 4, later) }, { of(0.4f, 5, later) } };
+  std::vector<vitrine::RankPart> parts;
+  const std::vector<LayerFragment> joined =
+    vitrine::JoinLayers(SortedOnEach(ofRanks, 1, true), parts);
+  std::vector<std::uint32_t> order;
+  for (const std::uint32_t part : PartsInOrder(joined, SortLayers(joined, 1, 1, true)))
+  {
+    order.push_back(parts.at(part).Part);
+  }
+  EXPECT_EQ(order, (std::vector<std::uint32_t>{ 4, 3, 5, 2, 1 }));
+}
+
 TEST(PixelLayers, GiveTheFirstPartWithAShare)
 {
   const std::uint32_t back = LayerFragment::BackFace;

@@ -15,9 +15,19 @@ import numpy as np
 from mpi4py import MPI  # which initializes MPI
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 from vtkmodules.vtkParallelMPI import vtkMPIController
-from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper, vtkPointGaussianMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkDataSetMapper,
+    vtkGlyph3DMapper,
+    vtkLight,
+    vtkPointGaussianMapper,
+    vtkPolyDataMapper,
+    vtkRenderer,
+)
 from vtkmodules.vtkRenderingOpenGL2 import vtkToneMappingPass
 
 import vitrine
@@ -58,8 +68,8 @@ def split(scene):
 class View:
     """A window with a renderer."""
 
-    def __init__(self, size=SIZE, method=None, viewport=(0, 0, 1, 1)):
-        self.window = vitrine.vtkHeadlessRenderWindow()
+    def __init__(self, size=SIZE, method=None, viewport=(0, 0, 1, 1), window=None):
+        self.window = window or vitrine.vtkHeadlessRenderWindow()
         self.window.SetSize(*size)
         self.window.SetMultiSamples(0)
         self.renderer = vtkRenderer()
@@ -273,6 +283,129 @@ def forced():
     return found(view, lambda: one)
 
 
+def whole_part(number):
+    """A part that no other touches: a sphere, a cube, blocks, or glyphs; some are lines, and some are opaque."""
+    source = vtkCubeSource() if number % 2 else vtkSphereSource()
+    source.SetCenter(1.1 * (number % 4), 1.1 * (number // 4), 0.05 * number)
+    source.Update()
+    mapper = (vtkPolyDataMapper, vtkPolyDataMapper, vitrine.vtkCulledCompositePolyDataMapper, vtkGlyph3DMapper)[
+        number % 4
+    ]()
+    data = source.GetOutput()
+    if number % 4 == 2:
+        data = vtkMultiBlockDataSet()
+        data.SetBlock(0, source.GetOutput())
+    if number % 4 == 3:
+        mapper.SetSourceData(source.GetOutput())
+        mapper.SetScaleFactor(0.2)
+    mapper.SetInputDataObject(data)
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetOpacity(1 if number % 5 == 0 else 0.4)
+    actor.GetProperty().SetColor(0.2 + 0.05 * number, 1 - 0.05 * number, 0.5)
+    if number == 4:
+        actor.GetProperty().SetRepresentationToWireframe()
+    return actor
+
+
+def features_of(views):
+    """Whole parts with lights and a tolerance, and beside them with caps, an x-ray and a culler."""
+    is_shared = isinstance(views[0].method, vitrine.vtkDistributedTransparencyPass)
+    numbers = range(rank, 12, ranks) if is_shared else range(12)
+    for view in views:
+        for number in numbers:
+            view.renderer.AddActor(whole_part(number))
+    lit, cut = views
+    for number in range(12):
+        light = vtkLight()
+        light.SetLightTypeToSceneLight()
+        light.PositionalOn()
+        light.SetPosition(number % 4, number // 4, 2)
+        light.SetIntensity(0.2)
+        lit.renderer.AddLight(light)
+    lit.frame.SetLightingPass(vitrine.vtkDeferredLightsPass())
+    lit.method.SetCoincidenceSteps(16)
+    plane = vtkPlane()
+    plane.SetOrigin(1.5, 1.2, 0.1)
+    plane.SetNormal(0.1, -0.2, -1)
+    section = vitrine.vtkSection()
+    section.AddPlane(plane)
+    section.Attach(cut.renderer)
+    x_ray = vitrine.vtkPartXRay()
+    for number, actor in zip(numbers, cut.renderer.GetActors()):
+        if number == 6:
+            x_ray.AddPart(actor)
+    x_ray.Attach(cut.renderer)
+    cut.renderer.GetCullers().RemoveAllItems()
+    cut.renderer.AddCuller(vitrine.vtkHierarchicalSBufferCuller())
+
+
+def views_beside(make):
+    """Two renderers of one window."""
+    first = View(method=make(), viewport=(0, 0, 0.55, 1))
+    return [first, View(method=make(), viewport=(0.45, 0.1, 1, 0.9), window=first.window)]
+
+
+def picker_of(view, hidden, controller_of_picker=None):
+    picker = vitrine.vtkLayerPicker()
+    picker.SetController(controller_of_picker)
+    picker.SetRenderer(view.renderer)
+    picker.SetArea(20, 30, 69, 89)
+    picker.SetBehindOpaque(hidden)
+    return picker
+
+
+def layers_of(view, *options):
+    """The layers of a rectangle; and for each of them the rank that has it, and the place of its part there."""
+    picker = picker_of(view, *options)
+    good = picker.Pick()
+    count = picker.GetNumberOfLayers()
+    arrays = (picker.GetOffsets(), picker.GetWindowDepths(), picker.GetShares(), picker.GetColors())
+    props = list(view.renderer.GetActors())
+    owned = [props.index(picker.GetProp(i)) if picker.GetProp(i) else -1 for i in range(count)]
+    of_ranks = np.array([picker.GetRank(i) for i in range(count)])
+    return good, [vtk_to_numpy(array).copy() for array in arrays], of_ranks, np.array(owned)
+
+
+def features():
+    """Two renderers of one window with what else a renderer can have, and the layers of pixels."""
+    views = views_beside(method_of_ranks)
+    features_of(views)
+    for view in views:
+        view.method.ResetCamera(view.renderer)
+        if rank == 0:
+            camera = view.renderer.GetActiveCamera()
+            camera.Elevation(20)
+            camera.Zoom(1.5)
+            camera.SetScreenBottomLeft(-1, -1, 0)
+            camera.SetScreenBottomRight(1, -1, 0)
+            camera.SetScreenTopRight(1, 1, 0)
+            camera.SetEyePosition([0.5, 0.2, 6])
+            camera.SetUseOffAxisProjection(view is views[0])
+        view.method.SynchronizeCamera(view.renderer)
+    one = views_beside(vitrine.vtkPrefixSumTransparencyPass)
+    features_of(one)
+    for view, other in zip(views, one):
+        other.renderer.SetActiveCamera(view.renderer.GetActiveCamera())
+    for view in (views[0], one[0]):
+        view.method.SetPartNumbers(True)
+    told = found(views[0], lambda: one[0])
+    told["reason"] += views[1].method.GetFallbackReason()
+    one[0].window.Render()
+    same = []
+    for hidden in (False, True):
+        good, arrays, of_ranks, owned = layers_of(views[0], hidden, controller)
+        _, expected, _, props = layers_of(one[0], hidden)
+        same.append(good and len(props) > 500 and all(np.array_equal(*pair) for pair in zip(arrays, expected)))
+        same.append(np.array_equal(of_ranks, props % ranks))
+        same.append(np.array_equal(owned, np.where(of_ranks == rank, props // ranks, -1)))
+    other_pixels = picker_of(views[0], False, controller)
+    other_pixels.SetArea(20, 30, 69 + (rank == ranks - 1), 89)
+    other_pixels.Pick()
+    same.append(other_pixels.GetProblem().startswith(f"rank {ranks - 1} asks for other pixels or layers than rank 0"))
+    return {**told, "same": [bool(each) for each in same]}
+
+
 def refused(change):
     """A frame that cannot be drawn, and one after it that can."""
     scene = tangle()
@@ -369,6 +502,7 @@ CASES = {
     "splats-expected": lambda: splats(2),
     "drift": drift,
     "forced": forced,
+    "features": features,
     "sizes": lambda: refused(on_last(set_size((100, 80)), set_size(SIZE))),
     "cameras": lambda: refused(
         on_last(lambda view: view.renderer.GetActiveCamera().Azimuth(5), lambda view: None)

@@ -17,7 +17,7 @@ PARTITIONS = ("kd-tree", "round-robin", "random")
 EXACT = (
     *(f"{partition}{ghosts}" for partition in PARTITIONS for ghosts in ("", "-ghosts")),
     *("compact", "eight-bit", "bands", "moving", "empty", "nothing", "viewport", "floats", "all-ranks", "splats"),
-    *("splats-expected", "drift", "forced"),
+    *("splats-expected", "drift", "forced", "features"),
 )
 REFUSED = {
     "sizes": "draws 100 x 80 pixels and rank 0 160 x 120 pixels; give all windows one size",
@@ -90,13 +90,16 @@ class Ranks(unittest.TestCase):
 
     def test_the_script_of_the_page_runs(self):
         page = (HERE.parents[1] / "docs/howto/several-ranks.md").read_text(encoding="utf-8")
-        script = re.search(r"^```python\n(.*?)^```$", page, re.M | re.S)[1]
-        tell = "if rank == 0: print([ranks.GetFallbackReason(), ranks.GetNumberOfFragments() > 100_000])\n"
+        script = "\n".join(re.findall(r"^```python\n(.*?)^```$", page, re.M | re.S))
+        tell = (
+            "if rank == 0: print([ranks.GetFallbackReason(), ranks.GetNumberOfFragments() > 100_000, "
+            "picker.GetNumberOfLayers() > 5, picker.GetProblem()])\n"
+        )
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "script.py")
             path.write_text(script.replace("1280, 720", "640, 360") + tell, encoding="utf-8")
             result = run(2, script=path)
-        self.assertIn("['', True]", result.stdout, result.stderr)
+        self.assertIn("['', True, True, '']", result.stdout, result.stderr)
 
     def test_a_rank_without_the_features_is_told_to_all(self):
         result = run(2, "lacking")

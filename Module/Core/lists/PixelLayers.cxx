@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <map>
 #include <tuple>
+#include <utility>
 
 namespace vitrine
 {
@@ -120,6 +122,20 @@ private:
   std::uint32_t Closed = 0; ///< samples with an opaque fragment
 };
 
+/** An opaque fragment of a rank. Those that are less are drawn before. */
+struct DrawnFragment
+{
+  std::tuple<std::uint64_t, std::uint64_t> Color; ///< ColorOrder() of the front one at its depth
+  std::size_t Rank;
+  std::size_t Fragment;
+
+  bool operator<(const DrawnFragment& other) const
+  {
+    return std::tie(this->Color, this->Rank, other.Fragment) <
+      std::tie(other.Color, other.Rank, this->Fragment);
+  }
+};
+
 /** Puts the fragments of each pixel next to each other, in order of arrival. */
 PixelLayers Gather(const std::vector<LayerFragment>& fragments, std::size_t pixels)
 {
@@ -171,6 +187,53 @@ PixelLayers SortLayers(
   sorted.Offsets[pixels] = kept;
   sorted.Layers.resize(kept);
   return sorted;
+}
+
+std::vector<LayerFragment> JoinLayers(
+  const std::vector<std::vector<LayerFragment>>& ofRanks, std::vector<RankPart>& parts)
+{
+  std::vector<LayerFragment> joined;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+  std::vector<DrawnFragment> opaque;
+  for (std::size_t rank = 0; rank < ofRanks.size(); ++rank)
+  {
+    const LayerFragment* front = nullptr; // of the opaque ones at a depth
+    for (const LayerFragment& f : ofRanks[rank])
+    {
+      numbers[{ static_cast<std::uint32_t>(rank), f.Part & ~LayerFragment::BackFace }] = 0;
+      if (IsOpaque(f))
+      {
+        const bool isBehind = front && front->Pixel == f.Pixel && DepthOf(*front) == DepthOf(f);
+        front = isBehind ? front : &f;
+        const std::uint64_t color = StoredColor(front->Rgba[0], front->Rgba[1], front->Rgba[2], 1);
+        opaque.push_back({ ColorOrder(color), rank, joined.size() });
+      }
+      joined.push_back(f);
+    }
+  }
+  std::sort(opaque.begin(), opaque.end());
+  for (std::size_t place = 0; place < opaque.size(); ++place)
+  {
+    constexpr std::uint32_t DrawPlace = 1u << LayerFragment::FirstDrawBit;
+    std::uint32_t& kind = joined[opaque[place].Fragment].Kind;
+    kind = kind % DrawPlace + static_cast<std::uint32_t>(place) * DrawPlace;
+  }
+  parts.clear();
+  for (auto& [part, number] : numbers)
+  {
+    number = static_cast<std::uint32_t>(parts.size());
+    parts.push_back({ part.first, part.second });
+  }
+  std::size_t next = 0;
+  for (std::size_t rank = 0; rank < ofRanks.size(); ++rank)
+  {
+    for (const LayerFragment& f : ofRanks[rank])
+    {
+      joined[next++].Part = (f.Part & LayerFragment::BackFace) |
+        numbers[{ static_cast<std::uint32_t>(rank), f.Part & ~LayerFragment::BackFace }];
+    }
+  }
+  return joined;
 }
 
 std::size_t FirstPartWithShare(const std::vector<LayerFragment>& fragments,

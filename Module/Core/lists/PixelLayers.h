@@ -65,6 +65,23 @@ struct PixelLayers
 PixelLayers SortLayers(
   const std::vector<LayerFragment>& fragments, std::size_t pixels, int samples, bool keepHidden);
 
+/** A part of one of several ranks, by its number there. */
+struct RankPart
+{
+  std::uint32_t Rank;
+  std::uint32_t Part;
+};
+
+/**
+ * Joins the layers of several ranks, which SortLayers() has ordered on each of them, to fragments that it orders
+ * together. Their parts get new numbers: places in `parts`, which is in the order of ranks and numbers.
+ *
+ * Ranks have no common order of drawing. Of opaque layers of equal depth, those of the rank whose front one has the
+ * larger colour are in front, as in the picture of all ranks (Core/ranks/OpaquePixels).
+ */
+std::vector<LayerFragment> JoinLayers(
+  const std::vector<std::vector<LayerFragment>>& ofRanks, std::vector<RankPart>& parts);
+
 /**
  * Returns the index of the first layer of the first part whose layers together have at least `share`, among the layers
  * `first` to `end` - 1 of one pixel. Returns `end` if no part has as much.

@@ -25,7 +25,13 @@ struct CameraState
   double WindowCenter[2];
   double ViewShear[3];
   int ParallelProjection;
+  double ScreenBottomLeft[3];
+  double ScreenBottomRight[3];
+  double ScreenTopRight[3];
+  double EyePosition[3];
+  double EyeSeparation;
   int UseHorizontalViewAngle;
+  int UseOffAxisProjection;
 };
 
 CameraState StateOf(vtkCamera* camera)
@@ -40,11 +46,18 @@ CameraState StateOf(vtkCamera* camera)
   camera->GetWindowCenter(state.WindowCenter);
   camera->GetViewShear(state.ViewShear);
   state.ParallelProjection = camera->GetParallelProjection();
+  camera->GetScreenBottomLeft(state.ScreenBottomLeft);
+  camera->GetScreenBottomRight(state.ScreenBottomRight);
+  camera->GetScreenTopRight(state.ScreenTopRight);
+  camera->GetEyePosition(state.EyePosition);
+  state.EyeSeparation = camera->GetEyeSeparation();
   state.UseHorizontalViewAngle = camera->GetUseHorizontalViewAngle();
+  state.UseOffAxisProjection = camera->GetUseOffAxisProjection();
   return state;
 }
 
-void Apply(const CameraState& state, vtkCamera* camera)
+// VTK takes the eye's position as an array that is not constant.
+void Apply(CameraState& state, vtkCamera* camera)
 {
   camera->SetPosition(state.Position);
   camera->SetFocalPoint(state.FocalPoint);
@@ -56,6 +69,15 @@ void Apply(const CameraState& state, vtkCamera* camera)
   camera->SetViewShear(state.ViewShear[0], state.ViewShear[1], state.ViewShear[2]);
   camera->SetParallelProjection(state.ParallelProjection);
   camera->SetUseHorizontalViewAngle(state.UseHorizontalViewAngle);
+  camera->SetUseOffAxisProjection(state.UseOffAxisProjection);
+  if (state.UseOffAxisProjection)
+  {
+    camera->SetScreenBottomLeft(state.ScreenBottomLeft);
+    camera->SetScreenBottomRight(state.ScreenBottomRight);
+    camera->SetScreenTopRight(state.ScreenTopRight);
+    camera->SetEyePosition(state.EyePosition);
+    camera->SetEyeSeparation(state.EyeSeparation);
+  }
 }
 
 }

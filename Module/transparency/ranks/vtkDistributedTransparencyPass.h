@@ -40,14 +40,15 @@
  * their last bits.
  *
  * Limits: no multisampled windows, no ambient occlusion and no shadows. A skybox is on all ranks. Volumes and what is
- * drawn after the translucent geometry are those of the rank itself. PartNumbers tell the parts of the rank itself.
+ * drawn after the translucent geometry are those of the rank itself. PartNumbers tell the parts of the rank itself; a
+ * vtkLayerPicker with the controller tells those of all. A section gives caps to parts that are whole on a rank.
  *
  * Sources: S. Molnar, M. Cox, D. Ellsworth, H. Fuchs: A Sorting Classification of Parallel Rendering, IEEE Computer
  * Graphics and Applications 14 (1994), sort-last; W. M. Hsu: Segmented Ray Casting for Data Parallel Volume Rendering,
  * Parallel Rendering Symposium 1993, direct send.
  *
  * @sa
- * vtkPrefixSumTransparencyPass vtkSeeThroughPass
+ * vtkPrefixSumTransparencyPass vtkSeeThroughPass vtkLayerPicker
  */
 #ifndef vtkDistributedTransparencyPass_h
 #define vtkDistributedTransparencyPass_h
