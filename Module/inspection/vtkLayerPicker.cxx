@@ -267,9 +267,10 @@ std::string vtkLayerPicker::JoinRanks(const std::string& problem)
     [&](const vitrine::Message& message) { return message != factsOfRanks.front(); });
   if (other != factsOfRanks.end())
   {
-    return "rank " + std::to_string(other - factsOfRanks.begin()) +
-      " asks for other pixels or layers than rank 0, or has another camera; let all ranks pick "
-      "alike";
+    return !in.Ranks.Failure().empty() ? in.Ranks.Failure()
+                                       : "rank " + std::to_string(other - factsOfRanks.begin()) +
+        " asks for other pixels or layers than rank 0, or has another camera; let all ranks pick "
+        "alike";
   }
   constexpr std::size_t WordsOfLayer = sizeof(vitrine::LayerFragment) / sizeof(std::uint32_t);
   const vitrine::PixelLayers own =
