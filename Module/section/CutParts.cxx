@@ -51,16 +51,18 @@ std::pair<glm::dvec3, glm::dvec3> BoxInWorld(const glm::dmat4& toWorld, const do
 }
 }
 
-void CutParts::Update(
-  vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf, const MayCut& mayCut)
+void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf,
+  const MayCut& mayCut, const glm::dvec3* center)
 {
   const std::vector<CutPart> before = std::move(this->Cut);
   const std::uint64_t generation = this->GenerationNumber;
-  if (this->HasManyGone ||
+  this->IsCenterGiven = center != nullptr;
+  if (this->HasManyGone || (center && *center != this->Middle) ||
     this->CountStaleCorners() > std::max(MostStaleCorners, this->AllCorners.size() / 2))
   {
     this->Forget();
   }
+  this->Middle = center ? *center : this->Middle;
   this->Cut.clear();
   std::size_t drawnParts = 0;
   std::uint32_t nextPlace = 1;
@@ -180,7 +182,7 @@ const CutParts::Known& CutParts::Read(
   {
     return known;
   }
-  if (this->AllCorners.empty())
+  if (this->AllCorners.empty() && !this->IsCenterGiven)
   {
     double bounds[6];
     drawn.Data->GetBounds(bounds);

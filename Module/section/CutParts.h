@@ -64,9 +64,10 @@ public:
    * Find the parts of all visible actors that the planes cut. Boxes decide. The geometry of parts is read when they are
    * cut for the first time, and again when they have changed. Glyphs, wireframes and points are found, but not read.
    * @param mayCut  returns false for a prop that no plane cuts, which is not asked for its data then
+   * @param center  the center of the triangles, or null for the middle of the part that is read first
    */
   void Update(vtkRenderer* renderer, const SectionPlanes& planes, const MasksOf& masksOf,
-    const MayCut& mayCut);
+    const MayCut& mayCut, const glm::dvec3* center);
 
   const std::vector<CutPart>& Parts() const { return this->Cut; }
 
@@ -115,6 +116,7 @@ private:
   std::size_t StaleCorners = 0; ///< of parts that have changed
   bool HasManyGone = false;     ///< most of the known parts are no longer drawn
   glm::dvec3 Middle{ 0.0 };
+  bool IsCenterGiven = false;
   std::uint32_t NextSlot = 1;
   std::uint64_t GenerationNumber = 1;
   std::uint64_t ChangeNumber = 1;

@@ -39,13 +39,17 @@ bool WorldBox::IsMetBy(const CutPlane& plane) const
   return range.Least <= margin && range.Greatest >= -margin;
 }
 
-SectionPlanes PropBoxes::Place(
-  vtkRenderer* renderer, const std::vector<CutPlane>& planes, const CutParts& parts)
+SectionPlanes PropBoxes::Place(vtkRenderer* renderer, const std::vector<CutPlane>& planes,
+  const CutParts& parts, const WorldBox& scene)
 {
-  const std::vector<WorldBox> met = this->ReadBoxesMetBy(renderer, planes);
+  std::vector<WorldBox> met = this->ReadBoxesMetBy(renderer, planes);
   SectionPlanes placed;
   for (std::size_t i = 0; i < planes.size(); ++i)
   {
+    if (!met[i].IsEmpty())
+    {
+      met[i].Add(scene);
+    }
     const double margin = met[i].IsEmpty()
       ? 0.0
       : std::max(met[i].MarginOf(planes[i]), RoundingOfSums(planes[i], met[i], parts));

@@ -47,9 +47,10 @@ public:
    * far from a plane have no say.
    * @param planes  the planes in WC
    * @param parts   those that were cut last, whose sums have a center of their own
+   * @param scene   a box that has a say in place of those, if it is not empty
    */
-  SectionPlanes Place(
-    vtkRenderer* renderer, const std::vector<CutPlane>& planes, const CutParts& parts);
+  SectionPlanes Place(vtkRenderer* renderer, const std::vector<CutPlane>& planes,
+    const CutParts& parts, const WorldBox& scene);
 
   /** Returns true unless no plane cuts the box of a prop, nor any box in it. */
   bool IsMet(vtkProp* prop, const SectionPlanes& planes) const;

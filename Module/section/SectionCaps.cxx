@@ -42,12 +42,13 @@ int CapStyle::HatchOf(vtkProp* prop, int block) const
   return this->Hatch;
 }
 
-void SectionCaps::Update(vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes)
+void SectionCaps::Update(
+  vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes, const WorldBox& scene)
 {
   this->Parts = &parts;
   this->Planes = &planes;
   this->Make(renderer);
-  this->Place();
+  this->Place(scene);
 }
 
 void SectionCaps::Make(vtkRenderer* renderer)
@@ -84,10 +85,10 @@ void SectionCaps::Make(vtkRenderer* renderer)
   }
 }
 
-void SectionCaps::Place()
+void SectionCaps::Place(const WorldBox& scene)
 {
-  this->Min = glm::dvec3(std::numeric_limits<double>::infinity());
-  this->Max = -this->Min;
+  this->Min = scene.Min;
+  this->Max = scene.Max;
   std::array<std::uint32_t, 2> cuts{ 0, 0 }; // planes that cut opaque parts, and translucent ones
   for (const CutPart& part : this->Parts->Parts())
   {

@@ -6,6 +6,7 @@
 #include "section/CutParts.h"
 #include "section/CutSums.h"
 #include "section/Interference.h"
+#include "section/PropBoxes.h"
 #include "section/SectionPlanes.h"
 
 #include "vtkProp.h"
@@ -58,9 +59,10 @@ public:
 
   /**
    * Give each plane its two caps, in the renderer's props, and place them. The parts and planes are those of a frame,
-   * and live as long as the caps.
+   * and live as long as the caps. Caps reach through a box of the scene, too, which may be empty.
    */
-  void Update(vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes);
+  void Update(vtkRenderer* renderer, const CutParts& parts, const SectionPlanes& planes,
+    const WorldBox& scene);
 
   /** Take all caps from a renderer, which may be null. */
   void Remove(vtkRenderer* renderer);
@@ -77,7 +79,7 @@ public:
 
 private:
   void Make(vtkRenderer* renderer);
-  void Place();
+  void Place(const WorldBox& scene);
   bool Begin(vtkRenderer* renderer, bool isForTranslucent);
   std::string Prepare(vtkRenderer* renderer);
 
@@ -86,7 +88,7 @@ private:
   const CutParts* Parts = nullptr;
   const SectionPlanes* Planes = nullptr;
   DrawnSums Drawn;
-  glm::dvec3 Min{ 0.0 }; ///< the box around the parts that are cut, in WC
+  glm::dvec3 Min{ 0.0 }; ///< the box around the parts that are cut, and the scene, in WC
   glm::dvec3 Max{ 0.0 };
   float FirstOfTile =
     0.0f;          ///< x + y of the window's first pixel in a picture that is drawn in tiles

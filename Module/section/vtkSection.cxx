@@ -95,18 +95,29 @@ struct vtkSection::Internals
   vitrine::CutParts Parts;
   vitrine::PropBoxes Boxes;
   vitrine::SectionPlanes Planes;
+  std::array<double, 6> SceneBounds{ 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   vtkSection* Owner = nullptr;
   vtkMTimeType FrameTime = 0; ///< NewestTime() of the last frame
 
   void UpdateParts(vtkRenderer* renderer)
   {
-    this->Planes = this->Boxes.Place(renderer, this->Cutters.Planes(), this->Parts);
+    const vitrine::WorldBox scene = this->SceneBox();
+    const glm::dvec3 center = 0.5 * (scene.Min + scene.Max);
+    this->Planes = this->Boxes.Place(renderer, this->Cutters.Planes(), this->Parts, scene);
     this->Planes.OfAllParts = this->Cutters.MasksOf(nullptr);
     this->Parts.Update(
       renderer, this->Planes,
       [this](vtkProp* prop, unsigned int block)
       { return this->Cutters.MasksOf(prop, static_cast<int>(block)); },
-      [this](vtkProp* prop) { return this->Boxes.IsMet(prop, this->Planes); });
+      [this](vtkProp* prop) { return this->Boxes.IsMet(prop, this->Planes); },
+      scene.IsEmpty() ? nullptr : &center);
+  }
+
+  vitrine::WorldBox SceneBox() const
+  {
+    const std::array<double, 6>& b = this->SceneBounds;
+    return b[0] <= b[1] ? vitrine::WorldBox{ { b[0], b[2], b[4] }, { b[1], b[3], b[5] } }
+                        : vitrine::WorldBox();
   }
 
   /** Captures, as those of picks, take the parts and caps of the last frame if nothing has changed since. */
@@ -118,7 +129,7 @@ struct vtkSection::Internals
     if (!isCapture || this->NewestTime(renderer) != this->FrameTime)
     {
       this->UpdateParts(renderer);
-      this->Caps.Update(renderer, this->Parts, this->Planes);
+      this->Caps.Update(renderer, this->Parts, this->Planes, this->SceneBox());
     }
     this->Shader->BeginFrame(renderer, this->Planes);
     this->Mark(renderer);
@@ -372,6 +383,24 @@ void vtkSection::RemoveBox()
 bool vtkSection::HasBox()
 {
   return this->Private->Cutters.HasBox;
+}
+
+//------------------------------------------------------------------------------
+void vtkSection::SetSceneBounds(
+  double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
+{
+  const std::array<double, 6> bounds{ xmin, xmax, ymin, ymax, zmin, zmax };
+  if (bounds != this->Private->SceneBounds)
+  {
+    this->Private->SceneBounds = bounds;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+double* vtkSection::GetSceneBounds()
+{
+  return this->Private->SceneBounds.data();
 }
 
 //------------------------------------------------------------------------------

@@ -114,6 +114,17 @@ public:
 
   ///@{
   /**
+   * Set/Get bounds in world coordinates that hold all that may be cut. Roundings of planes, and the places of caps and
+   * hatches, then follow from them, and not from what the renderer shows near a plane. So several ranks cut alike, to
+   * the bit, with the bounds of all: vtkDistributedTransparencyPass::ComputeVisiblePropBounds(). The default is none,
+   * for which xmin > xmax stands.
+   */
+  void SetSceneBounds(double xmin, double xmax, double ymin, double ymax, double zmin, double zmax);
+  double* GetSceneBounds() VTK_SIZEHINT(6);
+  ///@}
+
+  ///@{
+  /**
    * Get/Set whether cuts are filled. The default is true.
    */
   void SetCaps(bool caps);

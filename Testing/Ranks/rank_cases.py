@@ -309,7 +309,7 @@ def whole_part(number):
 
 
 def features_of(views):
-    """Whole parts with lights and a tolerance, and beside them with caps, an x-ray and a culler."""
+    """Whole parts with lights and a tolerance; and beside them with caps, an x-ray and a culler."""
     is_shared = isinstance(views[0].method, vitrine.vtkDistributedTransparencyPass)
     numbers = range(rank, 12, ranks) if is_shared else range(12)
     for view in views:
@@ -330,6 +330,8 @@ def features_of(views):
     plane.SetNormal(0.1, -0.2, -1)
     section = vitrine.vtkSection()
     section.AddPlane(plane)
+    bounds_of = cut.method if is_shared else vitrine.vtkDistributedTransparencyPass()
+    section.SetSceneBounds(*bounds_of.ComputeVisiblePropBounds(cut.renderer))
     section.Attach(cut.renderer)
     x_ray = vitrine.vtkPartXRay()
     for number, actor in zip(numbers, cut.renderer.GetActors()):
@@ -350,7 +352,8 @@ def picker_of(view, hidden, controller_of_picker=None):
     picker = vitrine.vtkLayerPicker()
     picker.SetController(controller_of_picker)
     picker.SetRenderer(view.renderer)
-    picker.SetArea(20, 30, 69, 89)
+    left = 20 if view.renderer.GetViewport()[0] == 0 else 85
+    picker.SetArea(left, 30, left + 49, 89)
     picker.SetBehindOpaque(hidden)
     return picker
 
@@ -393,9 +396,9 @@ def features():
     told["reason"] += views[1].method.GetFallbackReason()
     one[0].window.Render()
     same = []
-    for hidden in (False, True):
-        good, arrays, of_ranks, owned = layers_of(views[0], hidden, controller)
-        _, expected, _, props = layers_of(one[0], hidden)
+    for number, hidden in ((0, False), (1, False), (1, True)):
+        good, arrays, of_ranks, owned = layers_of(views[number], hidden, controller)
+        _, expected, _, props = layers_of(one[number], hidden)
         same.append(good and len(props) > 500 and all(np.array_equal(*pair) for pair in zip(arrays, expected)))
         same.append(np.array_equal(of_ranks, props % ranks))
         same.append(np.array_equal(owned, np.where(of_ranks == rank, props // ranks, -1)))

@@ -3,6 +3,7 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkIdList.h"
+#include "vtkLayerPicker.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkPartXRay.h"
 
@@ -109,6 +110,31 @@ TEST(SectionPicture, HasStripesWherePartsInterfere)
   EXPECT_TRUE(Matches(scene.Render(),
     SectionScene::PictureOf(
       { { { 8, 8, 28, 24 }, OtherColor }, { SectionScene::CubeBox, CubeColor } })));
+}
+
+// Each of several ranks has some of the parts, and their caps must be where one rank has them.
+TEST(SectionPicture, HasCapsWhoseDepthFollowsFromBoundsOfTheScene)
+{
+  const auto depthOfCap = [](bool hasOtherPart, bool hasBounds)
+  {
+    SectionScene scene;
+    if (hasOtherPart)
+    {
+      scene.AddCube(0.6, 40.0, OtherColor);
+    }
+    if (hasBounds)
+    {
+      scene.Section->SetSceneBounds(-0.5, 40.0, -0.5, 0.5, -0.5, 0.5);
+    }
+    scene.Render();
+    vtkNew<vtkLayerPicker> picker;
+    picker->SetRenderer(scene.Renderer);
+    picker->SetPosition(16, 16);
+    EXPECT_TRUE(picker->Pick()) << picker->GetProblem();
+    return picker->GetWindowDepth(0);
+  };
+  EXPECT_NE(depthOfCap(true, false), depthOfCap(false, false));
+  EXPECT_EQ(depthOfCap(true, true), depthOfCap(false, true));
 }
 
 /**

@@ -52,6 +52,7 @@ struct vtkDistributedTransparencyPass::Shared
   bool HasCombined = false;          // The target has the nearest opaque pixels of all ranks.
   bool HasAgreed = false;            // The ranks have agreed whether there are lists.
   std::string Problem;               // Why no rank draws the frame.
+  vitrine::Bounds Bounds{};          // What ComputeVisiblePropBounds() found last.
 };
 
 //------------------------------------------------------------------------------
@@ -121,6 +122,13 @@ void vtkDistributedTransparencyPass::SynchronizeCamera(vtkRenderer* renderer)
 {
   vitrine::RankExchange& ranks = this->Ranks->Exchange;
   vitrine::ShareCamera(ranks, renderer, vitrine::BoundsOfRanks(ranks, renderer));
+}
+
+//------------------------------------------------------------------------------
+double* vtkDistributedTransparencyPass::ComputeVisiblePropBounds(vtkRenderer* renderer)
+{
+  this->Ranks->Bounds = vitrine::BoundsOfRanks(this->Ranks->Exchange, renderer);
+  return this->Ranks->Bounds.data();
 }
 
 //------------------------------------------------------------------------------

@@ -109,6 +109,11 @@ public:
   void SynchronizeCamera(vtkRenderer* renderer);
 
   /**
+   * Get the bounds of the visible props of all ranks, until the next call. All ranks call this.
+   */
+  double* ComputeVisiblePropBounds(vtkRenderer* renderer) VTK_SIZEHINT(6);
+
+  /**
    * Draw the translucent geometry of all ranks. All ranks call this, those without translucent geometry too.
    */
   void Render(const vtkRenderState* s) override;
