@@ -120,11 +120,13 @@ TEST(SectionPicture, HasCapsWhoseDepthFollowsFromBoundsOfTheScene)
     SectionScene scene;
     if (hasOtherPart)
     {
-      scene.AddCube(0.6, 40.0, OtherColor);
+      vtkNew<vtkCubeSource> source;
+      source->SetBounds(0.6, 0.7, -0.5, 0.5, -40.0, 0.5);
+      scene.AddSource(source, OtherColor);
     }
     if (hasBounds)
     {
-      scene.Section->SetSceneBounds(-0.5, 40.0, -0.5, 0.5, -0.5, 0.5);
+      scene.Section->SetSceneBounds(-0.5, 0.7, -0.5, 0.5, -40.0, 0.5);
     }
     scene.Render();
     vtkNew<vtkLayerPicker> picker;
