@@ -4,9 +4,7 @@
 #include "vtkMultiProcessStream.h"
 #include "vtkPVSession.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <utility>
 
 namespace vitrine
 {
@@ -25,7 +23,8 @@ void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
          << static_cast<unsigned int>(answers.Layers.size());
   for (const LayerOfPixel& layer : answers.Layers)
   {
-    stream << layer.Representation << layer.Block << layer.Depth << layer.Distance << layer.Share;
+    stream << layer.Rank << layer.Representation << layer.Block << layer.Depth << layer.Distance
+           << layer.Share;
   }
 }
 
@@ -42,52 +41,12 @@ FrameAnswers Read(vtkMultiProcessStream& stream)
   answers.Layers.resize(count);
   for (LayerOfPixel& layer : answers.Layers)
   {
-    stream >> layer.Representation >> layer.Block >> layer.Depth >> layer.Distance >> layer.Share;
+    stream >> layer.Rank >> layer.Representation >> layer.Block >> layer.Depth >> layer.Distance >>
+      layer.Share;
   }
   return answers;
 }
 
-/** Returns the alphas of layers, from their shares of a picture. */
-std::vector<double> AlphasOf(const std::vector<LayerOfPixel>& layers)
-{
-  std::vector<double> alphas;
-  double left = 1.0;
-  for (const LayerOfPixel& layer : layers)
-  {
-    alphas.push_back(left > 0.0 ? layer.Share / left : 0.0);
-    left -= layer.Share;
-  }
-  return alphas;
-}
-
-/** Adds the layers of another rank, down to the nearest opaque one of both. */
-void Merge(const std::vector<LayerOfPixel>& more, std::vector<LayerOfPixel>& layers)
-{
-  constexpr double Opaque = 1.0 - 1e-6;
-  std::vector<std::pair<LayerOfPixel, double>> all;
-  for (const std::vector<LayerOfPixel>* some : { &std::as_const(layers), &more })
-  {
-    const std::vector<double> alphas = AlphasOf(*some);
-    for (std::size_t i = 0; i < some->size(); ++i)
-    {
-      all.emplace_back((*some)[i], alphas[i]);
-    }
-  }
-  std::stable_sort(all.begin(), all.end(),
-    [](const auto& a, const auto& b) { return a.first.Depth < b.first.Depth; });
-  layers.clear();
-  double left = 1.0;
-  for (auto& [layer, alpha] : all)
-  {
-    layer.Share = left * alpha;
-    layers.push_back(layer);
-    left -= layer.Share;
-    if (alpha > Opaque)
-    {
-      break;
-    }
-  }
-}
 }
 
 void FrameAnswers::Gather(vtkMultiProcessController* ranks)
@@ -100,8 +59,13 @@ void FrameAnswers::Gather(vtkMultiProcessController* ranks)
   {
     const FrameAnswers told = Read(all[rank]);
     this->CulledParts += told.CulledParts;
-    this->LayersProblem = this->LayersProblem.empty() ? told.LayersProblem : this->LayersProblem;
-    Merge(told.Layers, this->Layers);
+    for (std::size_t i = 0; i < this->Layers.size(); ++i)
+    {
+      if (this->Layers[i].Rank == static_cast<int>(rank))
+      {
+        this->Layers[i] = told.Layers[i];
+      }
+    }
   }
 }
 

@@ -16,12 +16,12 @@ namespace vitrine
 /** A layer under a pixel. */
 struct LayerOfPixel
 {
-  unsigned int Representation =
-    0;                   ///< the unique identifier of the representation that shows it, or 0
-  std::string Block;     ///< names of blocks from the outermost on, with slashes between
-  double Depth = 1.0;    ///< of the window, in [0, 1]
-  double Distance = 0.0; ///< along the ray, in world units
-  double Share = 0.0;    ///< of the picture, in [0, 1]
+  int Rank = 0;                    ///< that has its geometry
+  unsigned int Representation = 0; ///< the unique identifier of that which shows it, or 0
+  std::string Block;               ///< names of blocks from the outermost on, with slashes between
+  double Depth = 1.0;              ///< of the window, in [0, 1]
+  double Distance = 0.0;           ///< along the ray, in world units
+  double Share = 0.0;              ///< of the picture, in [0, 1]
 };
 
 struct FrameAnswers
@@ -35,8 +35,8 @@ struct FrameAnswers
   std::vector<LayerOfPixel> Layers;
 
   /**
-   * Gives rank 0 the layers of all ranks, and the sum of the parts that they left out. Each rank has found the layers
-   * of its own geometry. All ranks of the controller call this.
+   * Gives rank 0 the names of layers of other ranks, and the sum of the parts that ranks left out. All ranks have the
+   * same layers, and know the names of their own. All ranks of the controller call this.
    */
   void Gather(vtkMultiProcessController* ranks);
 

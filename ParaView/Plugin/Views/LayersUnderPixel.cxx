@@ -93,12 +93,14 @@ void LayersUnderPixel::Note(vtkPVDataRepresentation* representation, vtkRenderer
   }
 }
 
-void LayersUnderPixel::Find(vtkRenderer* renderer, FrameAnswers& answers)
+void LayersUnderPixel::Find(
+  vtkRenderer* renderer, vtkMultiProcessController* ranks, FrameAnswers& answers)
 {
   if (this->Pixel[0] < 0 || this->Pixel[1] < 0)
   {
     return;
   }
+  this->Picker->SetController(ranks);
   this->Picker->SetRenderer(renderer);
   this->Picker->SetPosition(this->Pixel[0], this->Pixel[1]);
   if (!this->Picker->Pick())
@@ -111,6 +113,7 @@ void LayersUnderPixel::Find(vtkRenderer* renderer, FrameAnswers& answers)
     vtkProp* const prop = this->Picker->GetProp(i);
     const auto shown = this->Props.find(prop);
     LayerOfPixel layer;
+    layer.Rank = this->Picker->GetRank(i);
     layer.Representation =
       shown != this->Props.end() && shown->second.Prop ? shown->second.Representation : 0;
     layer.Block = NameOfBlock(prop, this->Picker->GetBlock(i));

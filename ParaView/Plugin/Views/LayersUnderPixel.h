@@ -13,6 +13,7 @@
 #include <map>
 #include <string>
 
+class vtkMultiProcessController;
 class vtkPVDataRepresentation;
 class vtkRenderer;
 
@@ -27,8 +28,11 @@ public:
   /** Notes that a representation has added the props of the renderer that are new. */
   void Note(vtkPVDataRepresentation* representation, vtkRenderer* renderer);
 
-  /** Fills in the layers of the last frame, or the reason why they cannot be told. */
-  void Find(vtkRenderer* renderer, FrameAnswers& answers);
+  /**
+   * Fills in the layers of the last frame, or the reason why they cannot be told. With several `ranks` all call this.
+   * Those of other ranks have no names then.
+   */
+  void Find(vtkRenderer* renderer, vtkMultiProcessController* ranks, FrameAnswers& answers);
 
 private:
   struct Shown

@@ -1,9 +1,17 @@
 #include "SectionOfView.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkRenderer.h"
 
 namespace vitrine
 {
+
+void SectionOfView::SetSceneBounds(const vtkBoundingBox& bounds)
+{
+  double b[6];
+  bounds.GetBounds(b);
+  this->Section->SetSceneBounds(b[0], b[1], b[2], b[3], b[4], b[5]);
+}
 
 void SectionOfView::Update(vtkRenderer* renderer)
 {

@@ -10,6 +10,7 @@
 #include <array>
 #include <vector>
 
+class vtkBoundingBox;
 class vtkRenderer;
 
 namespace vitrine
@@ -36,6 +37,9 @@ public:
   int Box = NO_BOX;
   std::array<double, 6> Bounds{ 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   vtkNew<vtkSection> Section;
+
+  /** Set the bounds of what the view shows on all ranks, which then cut alike. */
+  void SetSceneBounds(const vtkBoundingBox& bounds);
 
   /** Gives the planes and the box to the section, which is attached to the renderer where there are any. */
   void Update(vtkRenderer* renderer);

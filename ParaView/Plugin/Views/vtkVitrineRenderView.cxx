@@ -97,10 +97,12 @@ struct vtkVitrineRenderView::Internals
       answers.CullingReason = this->Culler->GetReason();
       answers.CulledParts = this->Culler->GetNumberOfCulledParts();
     }
-    this->Layers.Find(renderer, answers);
-    if (this->Ranks)
+    vtkMultiProcessController* const ranks =
+      this->Ranks ? this->Ranks->Pass()->GetController() : nullptr;
+    this->Layers.Find(renderer, ranks, answers);
+    if (ranks)
     {
-      answers.Gather(this->Ranks->Pass()->GetController());
+      answers.Gather(ranks);
     }
     return answers;
   }
@@ -477,6 +479,7 @@ void vtkVitrineRenderView::Render(bool interactive, bool skipRendering)
     ? this->GetUseDistributedRenderingForLODRender()
     : this->GetUseDistributedRenderingForRender();
   Internals& in = *this->Private;
+  in.Section.SetSceneBounds(this->GeometryBounds); // those of all ranks
   in.Reason = in.Ranks ? this->FindHindranceOfRanks(isRemote) : in.Hindrance;
   if (in.Ranks && in.Reason.empty())
   {
