@@ -279,6 +279,17 @@ ScopedExclusiveOr::~ScopedExclusiveOr()
   (this->HadClamp ? glEnable : glDisable)(GL_DEPTH_CLAMP);
 }
 
+ScopedEncoding::ScopedEncoding(bool on)
+  : WasEnabled(glIsEnabled(GL_FRAMEBUFFER_SRGB))
+{
+  (on ? glEnable : glDisable)(GL_FRAMEBUFFER_SRGB);
+}
+
+ScopedEncoding::~ScopedEncoding()
+{
+  (this->WasEnabled ? glEnable : glDisable)(GL_FRAMEBUFFER_SRGB);
+}
+
 ScopedSampleShading::ScopedSampleShading()
   : WasEnabled(glIsEnabled(GL_SAMPLE_SHADING))
 {

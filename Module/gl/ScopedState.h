@@ -194,6 +194,19 @@ private:
   GLint Previous = 0;
 };
 
+/** Has colours encoded as they are written into targets of sRGB, if `on`. VTK does not track it. */
+class ScopedEncoding
+{
+public:
+  explicit ScopedEncoding(bool on);
+  ~ScopedEncoding();
+  ScopedEncoding(const ScopedEncoding&) = delete;
+  void operator=(const ScopedEncoding&) = delete;
+
+private:
+  GLboolean WasEnabled;
+};
+
 /** Runs shaders for each sample, with inputs at the place of the sample. VTK does not track it. Needs OpenGL 4.0. */
 class ScopedSampleShading
 {

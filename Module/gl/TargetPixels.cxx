@@ -45,11 +45,6 @@ std::size_t PixelsOf(const RenderTarget& target)
   return std::size_t(target.Width) * target.Height;
 }
 
-GLenum ColorType(const RenderTarget& target)
-{
-  return TargetPixels::ColorWords(target) == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT;
-}
-
 std::vector<std::uint32_t> Read(
   vtkOpenGLState* state, const RenderTarget& target, int wordsOfPixel, GLenum format, GLenum type)
 {
@@ -86,9 +81,15 @@ int TargetPixels::ColorWords(const RenderTarget& target)
   return target.EightBit || target.EncodesSRGB ? 1 : 4;
 }
 
+GLenum TargetPixels::ColorType(const RenderTarget& target)
+{
+  return ColorWords(target) == 1 ? GL_UNSIGNED_BYTE : GL_FLOAT;
+}
+
 std::uint32_t TargetPixels::Farthest(const RenderTarget& target)
 {
-  return HasFloatDepth(target.Depth.InternalFormat) ? 0x3f800000u : 0xffffffffu;
+  const bool hasFloats = HasFloatDepth(target.Depth.InternalFormat) || target.Samples > 0;
+  return hasFloats ? 0x3f800000u : 0xffffffffu;
 }
 
 std::vector<std::uint32_t> TargetPixels::ReadColors(

@@ -25,10 +25,13 @@ struct RenderTarget;
 class TargetPixels
 {
 public:
-  /** Returns the words of a pixel's colour, 1 or 4. */
+  ///@{
+  /** Returns the words of a pixel's colour, 1 or 4, and the type of its channels. */
   static int ColorWords(const RenderTarget& target);
+  static GLenum ColorType(const RenderTarget& target);
+  ///@}
 
-  /** Returns the word of the farthest depth. */
+  /** Returns the word of the farthest depth. Samples have floats. */
   static std::uint32_t Farthest(const RenderTarget& target);
 
   ///@{

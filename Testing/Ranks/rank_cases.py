@@ -68,10 +68,10 @@ def split(scene):
 class View:
     """A window with a renderer."""
 
-    def __init__(self, size=SIZE, method=None, viewport=(0, 0, 1, 1), window=None):
+    def __init__(self, size=SIZE, method=None, viewport=(0, 0, 1, 1), window=None, samples=0):
         self.window = window or vitrine.vtkHeadlessRenderWindow()
         self.window.SetSize(*size)
-        self.window.SetMultiSamples(0)
+        self.window.SetMultiSamples(samples)
         self.renderer = vtkRenderer()
         self.renderer.SetViewport(*viewport)
         self.renderer.SetBackground(*BACKGROUND)
@@ -154,12 +154,33 @@ def divided(partition, ghosts, storage="HalfFloat"):
     return found(view, lambda: view_of_one(scene, view))
 
 
-def bands():
+def multisampled(samples, partition="random", ghosts=False, **options):
+    """Edges of opaque and translucent triangles within pixels, of which ranks have some each."""
+    scene = tangle(opaque=0.2)
+    options["samples"] = samples
+    view = view_of_ranks(scene, partition, ghosts, **options)
+    told = found(view, lambda: view_of_one(scene, view, **options))
+    if rank == 0:
+        pictures = [view_of_one(scene, view, **{**options, "samples": n}).picture() for n in (samples, 0)]
+        told["smoothed"] = int((pictures[0] != pictures[1]).sum())
+    return told
+
+
+def parallel():
+    """Opaque depths of samples from 0 on, where depth buffers have the finest steps."""
+    scene = tangle(opaque=0.5)
+    view = view_of_ranks(scene, samples=4)
+    view.renderer.GetActiveCamera().ParallelProjectionOn()
+    view.method.ResetCamera(view.renderer)
+    return found(view, lambda: view_of_one(scene, view, samples=4))
+
+
+def bands(samples=0):
     scene = tangle()
-    view = view_of_ranks(scene)
+    view = view_of_ranks(scene, samples=samples)
     view.method.SetMemoryLimit(90_000 // ranks + 1000 * rank)
     view.picture()
-    return found(view, lambda: view_of_one(scene, view))
+    return found(view, lambda: view_of_one(scene, view, samples=samples))
 
 
 def moving():
@@ -495,6 +516,13 @@ CASES = {
     "compact": lambda: divided("random", False, "Compact"),
     "eight-bit": lambda: divided("random", False, "EightBit"),
     "bands": bands,
+    "samples-bands": lambda: bands(4),
+    "samples-2": lambda: multisampled(2),
+    "samples-4": lambda: multisampled(4, "kd-tree"),
+    "samples-4-ghosts": lambda: multisampled(4, "random", True),
+    "samples-8": lambda: multisampled(8),
+    "samples-viewport": lambda: multisampled(4, viewport=(0.1, 0.2, 0.7, 0.9)),
+    "samples-parallel": parallel,
     "moving": moving,
     "empty": empty,
     "nothing": nothing,

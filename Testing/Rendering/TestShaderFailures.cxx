@@ -213,8 +213,8 @@ const OwnShader OwnShaders[] = {
   { "StencilMask9", "StencilMaskResolve" },
   { "StencilMask9", "StencilMaskMark" },
   { "StencilMask9", "StencilMaskFilter" },
-  { "Truth", "TruthRead" },
-  { "Truth", "TruthWrite" },
+  { "Truth", "SampleRead" },
+  { "Truth", "SampleWrite" },
 };
 
 class ShaderFailures : public testing::TestWithParam<OwnShader>

@@ -7,39 +7,75 @@ namespace vitrine
 namespace
 {
 
-// Appends runs of places: how many are left out and how many are taken, in turn, up to the last that is taken. Returns
-// the taken ones. Without any nothing is appended.
-template <class IsTaken>
-std::vector<std::size_t> AppendRuns(std::size_t places, const IsTaken& isTaken, Message& message)
+// The samples of pixels in the order of messages. A place is one of them.
+class SamplePlaces
 {
-  std::vector<std::size_t> taken;
-  std::vector<std::size_t> runs(1, 0);
+public:
+  SamplePlaces(const OpaquePixels& picture, const OwnedPixels& pixels)
+    : Pixels(pixels)
+    , Samples(static_cast<std::size_t>(picture.Samples))
+    , PlaneSize(picture.Depths.size() / this->Samples)
+  {
+  }
+  std::size_t Count() const { return this->Pixels.size() * this->Samples; }
+  bool HasSamples() const { return this->Samples > 1; }
+
+  // Returns where the picture has the depth of a place.
+  std::size_t operator[](std::size_t place) const
+  {
+    return this->HasSamples()
+      ? place % this->Samples * this->PlaneSize + this->Pixels[place / this->Samples]
+      : this->Pixels[place];
+  }
+  bool AreOfOnePixel(std::size_t a, std::size_t b) const
+  {
+    return a / this->Samples == b / this->Samples;
+  }
+
+private:
+  const OwnedPixels& Pixels;
+  std::size_t Samples;
+  std::size_t PlaneSize;
+};
+
+// Runs of places: how many are left out and how many are taken, in turn, up to the last that is taken.
+struct Runs
+{
+  std::vector<std::size_t> Lengths;
+  std::vector<std::size_t> Taken; // the places
+};
+
+template <class IsTaken>
+Runs RunsOf(std::size_t places, const IsTaken& isTaken)
+{
+  Runs runs;
+  runs.Lengths.push_back(0);
   bool takes = false;
   for (std::size_t place = 0; place < places; ++place)
   {
     if (isTaken(place) != takes)
     {
       takes = !takes;
-      runs.push_back(0);
+      runs.Lengths.push_back(0);
     }
-    ++runs.back();
+    ++runs.Lengths.back();
     if (takes)
     {
-      taken.push_back(place);
+      runs.Taken.push_back(place);
     }
   }
-  if (taken.empty())
-  {
-    return taken;
-  }
+  return runs;
+}
+
+void AppendRuns(const Runs& runs, Message& message)
+{
   MessageWriter writer(message);
-  const std::size_t pairs = runs.size() / 2; // A last run that is left out is not told.
+  const std::size_t pairs = runs.Lengths.size() / 2; // A last run that is left out is not told.
   writer.AddNumber(pairs);
   for (std::size_t i = 0; i < 2 * pairs; ++i)
   {
-    writer.AddNumber(runs[i]);
+    writer.AddNumber(runs.Lengths[i]);
   }
-  return taken;
 }
 
 // Reads what AppendRuns() wrote. Returns false if there are not so many places.
@@ -81,58 +117,125 @@ bool IsEnded(const MessageReader& reader)
   return reader.IsGood() && reader.Left() == 0;
 }
 
+const std::uint32_t* ColorAt(const OpaquePixels& picture, std::size_t sample)
+{
+  return &picture.Colors[sample * picture.ColorWords];
+}
+
+// Appends the colours of `count` samples. `placeOf` returns the place of the sample with this number. With several
+// samples a pixel, runs tell the samples whose colour is not that of the sample before in their pixel; the first ones of
+// pixels are not told.
+template <class PlaceOf>
+void AppendColors(const OpaquePixels& picture, const SamplePlaces& places, std::size_t count,
+  const PlaceOf& placeOf, Message& message)
+{
+  const auto follows = [&](std::size_t i)
+  { return i > 0 && places.AreOfOnePixel(placeOf(i - 1), placeOf(i)); };
+  const auto differs = [&](std::size_t i)
+  {
+    const std::uint32_t* const color = ColorAt(picture, places[placeOf(i)]);
+    return !std::equal(color, color + picture.ColorWords, ColorAt(picture, places[placeOf(i - 1)]));
+  };
+  if (places.HasSamples())
+  {
+    AppendRuns(RunsOf(count, [&](std::size_t i) { return follows(i) && differs(i); }), message);
+  }
+  MessageWriter writer(message);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (!places.HasSamples() || !follows(i) || differs(i))
+    {
+      writer.AddWords(ColorAt(picture, places[placeOf(i)]), picture.ColorWords);
+    }
+  }
+}
+
+// Reads what AppendColors() wrote, and calls `take` with the number of each sample and its colour. Returns false if
+// there is not so much.
+template <class PlaceOf, class Take>
+bool TakeColorsOf(MessageReader& reader, const OpaquePixels& picture, const SamplePlaces& places,
+  std::size_t count, const PlaceOf& placeOf, const Take& take)
+{
+  std::vector<std::size_t> differing;
+  if (places.HasSamples() && !TakeRuns(reader, count, differing))
+  {
+    return false;
+  }
+  auto next = differing.begin();
+  std::vector<std::uint32_t> color(picture.ColorWords);
+  for (std::size_t i = 0; i < count && reader.IsGood(); ++i)
+  {
+    const bool differs = next != differing.end() && *next == i;
+    next += differs ? 1 : 0;
+    if (differs || !places.HasSamples() || i == 0 ||
+      !places.AreOfOnePixel(placeOf(i - 1), placeOf(i)))
+    {
+      reader.TakeWords(color.data(), color.size());
+    }
+    take(i, color);
+  }
+  return reader.IsGood();
+}
+
 }
 
 void PackOpaque(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message)
 {
-  const std::vector<std::size_t> drawn = AppendRuns(
-    pixels.size(),
-    [&](std::size_t place) { return picture.Depths[pixels[place]] < picture.Farthest; }, message);
+  const SamplePlaces places(picture, pixels);
+  const Runs drawn = RunsOf(places.Count(),
+    [&](std::size_t place) { return picture.Depths[places[place]] < picture.Farthest; });
+  if (drawn.Taken.empty())
+  {
+    return;
+  }
+  AppendRuns(drawn, message);
   MessageWriter writer(message);
-  for (const std::size_t place : drawn)
+  for (const std::size_t place : drawn.Taken)
   {
-    writer.AddWords(&picture.Depths[pixels[place]], 1);
+    writer.AddWords(&picture.Depths[places[place]], 1);
   }
-  for (const std::size_t place : drawn)
-  {
-    writer.AddWords(
-      &picture.Colors[std::size_t(pixels[place]) * picture.ColorWords], picture.ColorWords);
-  }
+  AppendColors(
+    picture, places, drawn.Taken.size(), [&](std::size_t i) { return drawn.Taken[i]; }, message);
 }
 
 bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture,
   std::vector<std::uint32_t>& depths)
 {
-  depths.assign(pixels.size(), picture.Farthest);
+  const SamplePlaces places(picture, pixels);
+  depths.assign(places.Count(), picture.Farthest);
   if (message.empty())
   {
     return true;
   }
   MessageReader reader(message);
   std::vector<std::size_t> drawn;
-  if (!TakeRuns(reader, pixels.size(), drawn))
+  if (!TakeRuns(reader, places.Count(), drawn))
   {
     return false;
   }
   const auto words = static_cast<std::size_t>(picture.ColorWords);
   const std::vector<std::uint32_t> nearer = TakeWordsOf(reader, drawn.size());
-  const std::vector<std::uint32_t> colors = TakeWordsOf(reader, drawn.size() * words);
-  if (!IsEnded(reader))
+  std::vector<std::uint32_t> colors;
+  const bool hasColors = TakeColorsOf(
+    reader, picture, places, drawn.size(), [&](std::size_t i) { return drawn[i]; },
+    [&](std::size_t, const std::vector<std::uint32_t>& color)
+    { colors.insert(colors.end(), color.begin(), color.end()); });
+  if (!hasColors || !IsEnded(reader))
   {
     return false;
   }
   for (std::size_t i = 0; i < drawn.size(); ++i)
   {
-    const std::size_t pixel = pixels[drawn[i]];
+    const std::size_t sample = places[drawn[i]];
     const auto first = colors.begin() + i * words;
-    const auto own = picture.Colors.begin() + pixel * words;
+    const auto own = picture.Colors.begin() + sample * words;
     depths[drawn[i]] = nearer[i];
-    const bool isTaken = nearer[i] < picture.Depths[pixel] ||
-      (nearer[i] == picture.Depths[pixel] &&
+    const bool isTaken = nearer[i] < picture.Depths[sample] ||
+      (nearer[i] == picture.Depths[sample] &&
         std::lexicographical_compare(own, own + words, first, first + words));
     if (isTaken)
     {
-      picture.Depths[pixel] = nearer[i];
+      picture.Depths[sample] = nearer[i];
       std::copy_n(first, words, own);
     }
   }
@@ -142,13 +245,18 @@ bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels&
 void PackDepths(const OpaquePixels& picture, const OwnedPixels& pixels,
   const std::vector<std::uint32_t>& known, Message& message)
 {
-  const std::vector<std::size_t> nearer = AppendRuns(
-    pixels.size(), [&](std::size_t place) { return picture.Depths[pixels[place]] < known[place]; },
-    message);
-  MessageWriter writer(message);
-  for (const std::size_t place : nearer)
+  const SamplePlaces places(picture, pixels);
+  const Runs nearer = RunsOf(places.Count(),
+    [&](std::size_t place) { return picture.Depths[places[place]] < known[place]; });
+  if (nearer.Taken.empty())
   {
-    writer.AddWords(&picture.Depths[pixels[place]], 1);
+    return;
+  }
+  AppendRuns(nearer, message);
+  MessageWriter writer(message);
+  for (const std::size_t place : nearer.Taken)
+  {
+    writer.AddWords(&picture.Depths[places[place]], 1);
   }
 }
 
@@ -158,9 +266,10 @@ bool TakeDepths(const Message& message, const OwnedPixels& pixels, OpaquePixels&
   {
     return true;
   }
+  const SamplePlaces places(picture, pixels);
   MessageReader reader(message);
   std::vector<std::size_t> nearer;
-  if (!TakeRuns(reader, pixels.size(), nearer))
+  if (!TakeRuns(reader, places.Count(), nearer))
   {
     return false;
   }
@@ -171,28 +280,29 @@ bool TakeDepths(const Message& message, const OwnedPixels& pixels, OpaquePixels&
   }
   for (std::size_t i = 0; i < nearer.size(); ++i)
   {
-    picture.Depths[pixels[nearer[i]]] = depths[i];
+    picture.Depths[places[nearer[i]]] = depths[i];
   }
   return true;
 }
 
 void PackColors(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message)
 {
-  MessageWriter writer(message);
-  for (const std::size_t pixel : pixels)
-  {
-    writer.AddWords(&picture.Colors[pixel * picture.ColorWords], picture.ColorWords);
-  }
+  const SamplePlaces places(picture, pixels);
+  AppendColors(
+    picture, places, places.Count(), [](std::size_t i) { return i; }, message);
 }
 
 bool TakeColors(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture)
 {
+  const SamplePlaces places(picture, pixels);
   MessageReader reader(message);
-  for (const std::size_t pixel : pixels)
-  {
-    reader.TakeWords(&picture.Colors[pixel * picture.ColorWords], picture.ColorWords);
-  }
-  return IsEnded(reader);
+  const auto words = static_cast<std::size_t>(picture.ColorWords);
+  return TakeColorsOf(
+           reader, picture, places, places.Count(), [](std::size_t i) { return i; },
+           [&](std::size_t place, const std::vector<std::uint32_t>& color) {
+             std::copy_n(color.begin(), words, picture.Colors.begin() + places[place] * words);
+           }) &&
+    IsEnded(reader);
 }
 
 }

@@ -46,6 +46,11 @@ std::string Compare(const FrameFacts& facts, const FrameFacts& first)
   {
     return "draws another part of the window than rank 0; give all renderers one viewport";
   }
+  if (facts.Samples != first.Samples)
+  {
+    return "draws " + std::to_string(facts.Samples) + " samples a pixel and rank 0 " +
+      std::to_string(first.Samples) + "; call SetMultiSamples() alike";
+  }
   if (facts.ColorFormat != first.ColorFormat || facts.DepthFormat != first.DepthFormat)
   {
     return "has another format of pixels than rank 0; make all windows alike";

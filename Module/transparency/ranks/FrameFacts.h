@@ -21,6 +21,7 @@ struct FrameFacts
   int Width = 0;
   int Height = 0;
   PixelRegion Region;
+  int Samples = 0;
   unsigned int ColorFormat = 0;
   unsigned int DepthFormat = 0;
   int ColorStorage = 0;

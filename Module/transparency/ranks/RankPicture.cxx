@@ -2,7 +2,9 @@
 
 #include "gl/RenderTarget.h"
 #include "transparency/ranks/RankExchange.h"
+#include "vtkOpenGLRenderWindow.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -19,31 +21,74 @@ std::string Malformed(const RankExchange& ranks)
 
 }
 
-void RankPicture::Read(vtkOpenGLState* state, const RenderTarget& target)
+// After a failure there are words, too, since other ranks wait for a message.
+std::string RankPicture::Read(vtkOpenGLRenderWindow* window, const RenderTarget& target)
 {
+  std::string problem;
+  this->Before = {};
+  this->Pixels.Samples = std::max(target.Samples, 1);
   this->Pixels.ColorWords = TargetPixels::ColorWords(target);
   this->Pixels.Farthest = TargetPixels::Farthest(target);
-  this->Pixels.Depths = TargetPixels::ReadDepths(state, target);
-  this->Pixels.Colors = TargetPixels::ReadColors(state, target);
-  this->Before = this->Pixels;
+  if (target.Samples > 0)
+  {
+    problem = this->Samples.ReadDepths(window, target, this->Pixels.Depths);
+  }
+  else
+  {
+    this->Pixels.Depths = TargetPixels::ReadDepths(window->GetState(), target);
+  }
+  const std::string problemOfColors = this->ReadColors(window, target);
+  problem = problem.empty() ? problemOfColors : problem;
+  if (problem.empty())
+  {
+    this->Before = this->Pixels;
+  }
+  return problem;
 }
 
-void RankPicture::PutBack(vtkOpenGLState* state, const RenderTarget& target)
+std::string RankPicture::ReadColors(vtkOpenGLRenderWindow* window, const RenderTarget& target)
 {
-  this->Transfer.WriteDepths(state, target, this->Before.Depths);
-  this->Transfer.WriteColors(state, target, this->Before.Colors);
+  if (target.Samples > 0)
+  {
+    return this->Samples.ReadColors(window, target, this->Pixels.Colors);
+  }
+  this->Pixels.Colors = TargetPixels::ReadColors(window->GetState(), target);
+  return {};
 }
 
-std::string RankPicture::CombineOpaque(
-  RankExchange& ranks, const TileOwners& owners, vtkOpenGLState* state, const RenderTarget& target)
+std::string RankPicture::Write(
+  vtkOpenGLRenderWindow* window, const RenderTarget& target, const OpaquePixels& pixels)
 {
-  this->Read(state, target);
+  const std::string problem = target.Samples > 0
+    ? this->Samples.WriteDepths(window, target, pixels.Depths)
+    : this->Transfer.WriteDepths(window->GetState(), target, pixels.Depths);
+  return problem.empty() ? this->WriteColors(window, target, pixels) : problem;
+}
+
+std::string RankPicture::WriteColors(
+  vtkOpenGLRenderWindow* window, const RenderTarget& target, const OpaquePixels& pixels)
+{
+  return target.Samples > 0 ? this->Samples.WriteColors(window, target, pixels.Colors)
+                            : this->Transfer.WriteColors(window->GetState(), target, pixels.Colors);
+}
+
+void RankPicture::PutBack(vtkOpenGLRenderWindow* window, const RenderTarget& target)
+{
+  if (!this->Before.Depths.empty())
+  {
+    this->Write(window, target, this->Before);
+  }
+}
+
+std::string RankPicture::CombineOpaque(RankExchange& ranks, const TileOwners& owners,
+  vtkOpenGLRenderWindow* window, const RenderTarget& target)
+{
+  const std::string problem = this->Read(window, target);
   if (!this->ExchangeOpaque(ranks, owners))
   {
     return Malformed(ranks);
   }
-  const std::string problem = this->Transfer.WriteDepths(state, target, this->Pixels.Depths);
-  return problem.empty() ? this->Transfer.WriteColors(state, target, this->Pixels.Colors) : problem;
+  return problem.empty() ? this->Write(window, target, this->Pixels) : problem;
 }
 
 // Returns false if a message does not fit.
@@ -85,14 +130,14 @@ bool RankPicture::ExchangeOpaque(RankExchange& ranks, const TileOwners& owners)
   return isGood;
 }
 
-std::string RankPicture::Send(RankExchange& ranks, const TileOwners& owners, vtkOpenGLState* state,
-  const RenderTarget& target, int pictureRank)
+std::string RankPicture::Send(RankExchange& ranks, const TileOwners& owners,
+  vtkOpenGLRenderWindow* window, const RenderTarget& target, int pictureRank)
 {
   const int own = ranks.Rank();
   const auto gets = [pictureRank](int rank) { return pictureRank < 0 || pictureRank == rank; };
-  this->Pixels.Colors = TargetPixels::ReadColors(state, target);
+  const std::string problem = this->ReadColors(window, target);
   std::vector<Message> messages(ranks.Count());
-  for (int rank = 0; rank < ranks.Count(); ++rank)
+  for (int rank = 0; rank < ranks.Count() && problem.empty(); ++rank)
   {
     if (rank != own && gets(rank))
     {
@@ -100,9 +145,9 @@ std::string RankPicture::Send(RankExchange& ranks, const TileOwners& owners, vtk
     }
   }
   messages = ranks.Exchange(std::move(messages));
-  if (!gets(own))
+  if (!gets(own) || !problem.empty())
   {
-    return {};
+    return problem;
   }
   bool isGood = true;
   for (int rank = 0; rank < ranks.Count(); ++rank)
@@ -110,7 +155,13 @@ std::string RankPicture::Send(RankExchange& ranks, const TileOwners& owners, vtk
     isGood =
       (rank == own || TakeColors(messages[rank], owners.PixelsOf(rank), this->Pixels)) && isGood;
   }
-  return isGood ? this->Transfer.WriteColors(state, target, this->Pixels.Colors) : Malformed(ranks);
+  return isGood ? this->WriteColors(window, target, this->Pixels) : Malformed(ranks);
+}
+
+void RankPicture::Release()
+{
+  this->Transfer.Release();
+  this->Samples.Release();
 }
 
 }

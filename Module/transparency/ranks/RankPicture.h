@@ -4,10 +4,11 @@
 
 #include "Core/ranks/OpaquePixels.h"
 #include "gl/TargetPixels.h"
+#include "transparency/ranks/SamplePixels.h"
 
 #include <string>
 
-class vtkOpenGLState;
+class vtkOpenGLRenderWindow;
 
 namespace vitrine
 {
@@ -21,33 +22,39 @@ class RankPicture
 public:
   /**
    * Give the target the nearest opaque depths of all ranks, and the pixels that this rank owns the nearest opaque
-   * colours. Changes the framebuffer bindings and the scissor test.
+   * colours. Changes the framebuffer bindings, tests and masks.
    */
-  std::string CombineOpaque(RankExchange& ranks, const TileOwners& owners, vtkOpenGLState* state,
-    const RenderTarget& target);
+  std::string CombineOpaque(RankExchange& ranks, const TileOwners& owners,
+    vtkOpenGLRenderWindow* window, const RenderTarget& target);
 
   /**
-   * Put back what the target had before CombineOpaque(). Changes the framebuffer bindings and the scissor test.
+   * Put back what the target had before CombineOpaque(). Changes the framebuffer bindings, tests and masks.
    */
-  void PutBack(vtkOpenGLState* state, const RenderTarget& target);
+  void PutBack(vtkOpenGLRenderWindow* window, const RenderTarget& target);
 
   /**
    * Send the pixels that this rank owns to `pictureRank`, or to all if it is negative. There they are drawn into the
-   * target. Changes the framebuffer bindings and the scissor test.
+   * target. Changes the framebuffer bindings, tests and masks.
    */
-  std::string Send(RankExchange& ranks, const TileOwners& owners, vtkOpenGLState* state,
+  std::string Send(RankExchange& ranks, const TileOwners& owners, vtkOpenGLRenderWindow* window,
     const RenderTarget& target, int pictureRank);
 
-  std::int64_t Bytes() const { return this->Transfer.Bytes(); }
-  void Release() { this->Transfer.Release(); }
+  std::int64_t Bytes() const { return this->Transfer.Bytes() + this->Samples.Bytes(); }
+  void Release();
 
 private:
-  void Read(vtkOpenGLState* state, const RenderTarget& target);
+  std::string Read(vtkOpenGLRenderWindow* window, const RenderTarget& target);
+  std::string ReadColors(vtkOpenGLRenderWindow* window, const RenderTarget& target);
+  std::string Write(
+    vtkOpenGLRenderWindow* window, const RenderTarget& target, const OpaquePixels& pixels);
+  std::string WriteColors(
+    vtkOpenGLRenderWindow* window, const RenderTarget& target, const OpaquePixels& pixels);
   bool ExchangeOpaque(RankExchange& ranks, const TileOwners& owners);
 
-  TargetPixels Transfer;
+  TargetPixels Transfer; // of single-sampled targets
+  SamplePixels Samples;  // of multisampled ones
   OpaquePixels Pixels;
-  OpaquePixels Before; // this rank's own
+  OpaquePixels Before; // this rank's own, or nothing
 };
 
 }

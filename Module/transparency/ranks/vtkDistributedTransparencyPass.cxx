@@ -234,7 +234,7 @@ std::string vtkDistributedTransparencyPass::DrawTogether(
   problem = r.Problem.empty() ? this->SendPicture(target, problem) : r.Problem;
   if (!problem.empty())
   {
-    r.Picture.PutBack(this->GetWindow()->GetState(), target);
+    r.Picture.PutBack(this->GetWindow(), target);
   }
   return problem;
 }
@@ -249,19 +249,14 @@ std::string vtkDistributedTransparencyPass::CombineOpaque(const vitrine::RenderT
     r.Owners = vitrine::TileOwners(target.Region, target.Width, r.Exchange.Count());
   }
   r.HasCombined = true;
-  return r.Picture.CombineOpaque(r.Exchange, r.Owners, this->GetWindow()->GetState(), target);
+  return r.Picture.CombineOpaque(r.Exchange, r.Owners, this->GetWindow(), target);
 }
 
 //------------------------------------------------------------------------------
 // Returns why this rank cannot draw a frame with others, or an empty string.
-std::string vtkDistributedTransparencyPass::FindHindrance(
-  vtkRenderer* renderer, const vitrine::RenderTarget& target)
+std::string vtkDistributedTransparencyPass::FindHindrance(vtkRenderer* renderer)
 {
   const Shared& r = *this->Ranks;
-  if (target.Samples > 0)
-  {
-    return "the window is multisampled, which ranks cannot draw together; call SetMultiSamples(0)";
-  }
   if (this->PictureRank >= r.Exchange.Count())
   {
     return "the picture is for rank " + std::to_string(this->PictureRank) + " of " +
@@ -287,7 +282,7 @@ std::string vtkDistributedTransparencyPass::Join(
 {
   Shared& r = *this->Ranks;
   r.HasJoined = true;
-  const std::string problem = r.Exchange.Agree(this->FindHindrance(s->GetRenderer(), target));
+  const std::string problem = r.Exchange.Agree(this->FindHindrance(s->GetRenderer()));
   if (!problem.empty())
   {
     return problem;
@@ -305,6 +300,7 @@ std::string vtkDistributedTransparencyPass::Join(
   facts.Width = target.Width;
   facts.Height = target.Height;
   facts.Region = target.Region;
+  facts.Samples = target.Samples;
   facts.ColorFormat = target.Color.InternalFormat;
   facts.DepthFormat = target.Depth.InternalFormat;
   facts.ColorStorage = this->ColorStorage;
@@ -499,8 +495,7 @@ std::string vtkDistributedTransparencyPass::SendPicture(
   }
   this->TakeTotals();
   const vitrine::StageTimer::Section section(this->GetStageTimer(), "picture");
-  return r.Picture.Send(
-    r.Exchange, r.Owners, this->GetWindow()->GetState(), target, this->PictureRank);
+  return r.Picture.Send(r.Exchange, r.Owners, this->GetWindow(), target, this->PictureRank);
 }
 
 //------------------------------------------------------------------------------

@@ -39,9 +39,9 @@
  * Where single meshes are divided, switch that off by SetVBOShiftScaleMethod() of their mappers, or fragments differ in
  * their last bits.
  *
- * Limits: no multisampled windows, no ambient occlusion and no shadows. A skybox is on all ranks. Volumes and what is
- * drawn after the translucent geometry are those of the rank itself. PartNumbers tell the parts of the rank itself; a
- * vtkLayerPicker with the controller tells those of all. A section gives caps to parts that are whole on a rank.
+ * Limits: no ambient occlusion and no shadows. A skybox is on all ranks. Volumes and what is drawn after the translucent
+ * geometry are those of the rank itself. PartNumbers tell the parts of the rank itself; a vtkLayerPicker with the
+ * controller tells those of all. A section gives caps to parts that are whole on a rank.
  *
  * Sources: S. Molnar, M. Cox, D. Ellsworth, H. Fuchs: A Sorting Classification of Parallel Rendering, IEEE Computer
  * Graphics and Applications 14 (1994), sort-last; W. M. Hsu: Segmented Ray Casting for Data Parallel Volume Rendering,
@@ -158,7 +158,7 @@ private:
   void operator=(const vtkDistributedTransparencyPass&) = delete;
 
   std::string DrawTogether(const vtkRenderState* s, const vitrine::RenderTarget& target);
-  std::string FindHindrance(vtkRenderer* renderer, const vitrine::RenderTarget& target);
+  std::string FindHindrance(vtkRenderer* renderer);
   std::string Join(const vtkRenderState* s, const vitrine::RenderTarget& target);
   std::string CombineOpaque(const vitrine::RenderTarget& target);
   std::string AgreeOnLists(const std::string& problem);

@@ -4,7 +4,6 @@
 #include "Shaders/SharedLayout.h"
 #include "gl/BackdropCopy.h"
 #include "gl/Capabilities.h"
-#include "gl/FullScreenDraw.h"
 #include "gl/GLObjects.h"
 #include "gl/MemoryBarriers.h"
 #include "gl/ProgramCache.h"
@@ -16,6 +15,7 @@
 #include "transparency/common/FillExtensions.h"
 #include "transparency/common/FillShader.h"
 #include "transparency/common/MethodTable.h"
+#include "transparency/common/SamplePlane.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -50,6 +50,7 @@ static_assert(
 
 static_assert(vitrine::CapturedFragment::Added == VITRINE_ADDED_FRAGMENT, "layout");
 
+const vitrine::SamplePlane::Format FloatColors = { GL_RGBA32F, GL_RGBA, GL_FLOAT };
 constexpr std::int64_t MaximumCaptureBytes = std::int64_t(112) << 20;
 
 vitrine::TargetRange RangeOf(const vitrine::RenderTarget& target, bool isLightAdded)
@@ -86,10 +87,7 @@ struct vtkTruthTransparencyPass::Internals
   vitrine::Buffer Fragments;
   vitrine::Framebuffer FillFramebuffer;
   vitrine::BackdropCopy Backdrop;
-  vitrine::Image2D Picture; // RGBA32F: one sample of each pixel.
-  vitrine::Framebuffer PictureFramebuffer;
-  vitrine::EmptyVertexArray VertexArray;
-  vitrine::ProgramCache Programs;
+  vitrine::SamplePlane Plane;
   vtkSmartPointer<vtkImageData> Result;
   int TargetWidth = 0;
 
@@ -99,10 +97,6 @@ struct vtkTruthTransparencyPass::Internals
   }
   std::string PrepareTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
   void AttachTargets(vtkOpenGLState* state, const vitrine::RenderTarget& target);
-  vtkShaderProgram* ReadyRead(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
-  vtkShaderProgram* ReadyWrite(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
-  void DrawSample(vtkOpenGLRenderWindow* window, vtkShaderProgram* program,
-    const vitrine::Image2D& source, int sample);
   std::vector<double> ReadBackdrop(
     vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target);
   void WritePicture(vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target,
@@ -125,7 +119,7 @@ std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
   {
     return "the driver has no memory for " + std::to_string(bytes) + " bytes of fragments";
   }
-  std::string problem = this->Picture.Allocate(GL_RGBA32F, target.Width, target.Height, 0);
+  std::string problem = this->Plane.Prepare(state, target, FloatColors);
   if (problem.empty())
   {
     problem = this->Backdrop.Copy(state, target);
@@ -141,46 +135,9 @@ std::string vtkTruthTransparencyPass::Internals::PrepareTargets(
 void vtkTruthTransparencyPass::Internals::AttachTargets(
   vtkOpenGLState* state, const vitrine::RenderTarget& target)
 {
-  vitrine::BindForDrawing(state, this->PictureFramebuffer.Handle());
-  glFramebufferTexture2D(
-    GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, this->Picture.Handle(), 0);
   vitrine::BindForDrawing(state, this->FillFramebuffer.Handle());
   target.AttachDepth();
   vitrine::SetDrawBuffers(state, { GL_NONE });
-}
-
-//------------------------------------------------------------------------------
-vtkShaderProgram* vtkTruthTransparencyPass::Internals::ReadyRead(
-  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
-{
-  return this->Programs.Ready(window, "read",
-    { "VITRINE_SAMPLES " + std::to_string(target.Samples) }, vitrine::shaders::FullScreenVertex,
-    [] { return vitrine::shaders::TruthRead; });
-}
-
-//------------------------------------------------------------------------------
-vtkShaderProgram* vtkTruthTransparencyPass::Internals::ReadyWrite(
-  vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
-{
-  return this->Programs.Ready(window, "write",
-    { "VITRINE_SAMPLES " + std::to_string(target.Samples) }, vitrine::shaders::FullScreenVertex,
-    [] { return vitrine::shaders::TruthWrite; });
-}
-
-//------------------------------------------------------------------------------
-// Runs the bound program once for each pixel. Call BindForFullScreenDraw() before.
-void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* window,
-  vtkShaderProgram* program, const vitrine::Image2D& source, int sample)
-{
-  vtkOpenGLState* state = window->GetState();
-  const vitrine::BoundVertexArray vertexArray(this->VertexArray.Handle());
-  const vitrine::ScopedTextureUnit unit(state, source.Target(), source.Handle());
-  program->SetUniformi("source", unit.Unit());
-  if (program->IsUniformUsed("sampleNumber"))
-  {
-    program->SetUniformi("sampleNumber", sample);
-  }
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 //------------------------------------------------------------------------------
@@ -188,19 +145,13 @@ void vtkTruthTransparencyPass::Internals::DrawSample(vtkOpenGLRenderWindow* wind
 std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
   vtkOpenGLRenderWindow* window, const vitrine::RenderTarget& target)
 {
-  vtkOpenGLState* state = window->GetState();
   const int samples = std::max(target.Samples, 1);
   const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
   std::vector<float> plane(4 * pixels);
   std::vector<double> backdrop(plane.size() * samples);
-  const vitrine::ScopedPixelTransfer pixelTransfer(vitrine::ScopedPixelTransfer::FROM_DEVICE);
-  vitrine::BindForReading(state, this->PictureFramebuffer.Handle());
-  vitrine::BindForFullScreenDraw(
-    state, this->PictureFramebuffer.Handle(), target.Width, target.Height);
   for (int sample = 0; sample < samples; ++sample)
   {
-    this->DrawSample(window, this->ReadyRead(window, target), this->Backdrop.Image(), sample);
-    glReadPixels(0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
+    this->Plane.Read(window, target, this->Backdrop.Image(), sample, plane.data());
     for (std::size_t i = 0; i < pixels; ++i)
     {
       std::copy_n(&plane[4 * i], 4, &backdrop[4 * (i * samples + sample)]);
@@ -213,30 +164,16 @@ std::vector<double> vtkTruthTransparencyPass::Internals::ReadBackdrop(
 void vtkTruthTransparencyPass::Internals::WritePicture(vtkOpenGLRenderWindow* window,
   const vitrine::RenderTarget& target, const std::vector<double>& picture)
 {
-  vtkOpenGLState* state = window->GetState();
   const int samples = std::max(target.Samples, 1);
   const std::size_t pixels = static_cast<std::size_t>(target.Width) * target.Height;
   std::vector<float> plane(4 * pixels);
-  const vitrine::ScopedPixelTransfer pixelTransfer(vitrine::ScopedPixelTransfer::TO_DEVICE);
-  vitrine::BindForFullScreenDraw(state, target.Framebuffer, target.Width, target.Height);
   for (int sample = 0; sample < samples; ++sample)
   {
     for (std::size_t i = 0; i < pixels; ++i)
     {
       std::copy_n(&picture[4 * (i * samples + sample)], 4, &plane[4 * i]);
     }
-    {
-      const vitrine::ScopedTextureUnit unit(state, GL_TEXTURE_2D, this->Picture.Handle());
-      glTexSubImage2D(
-        GL_TEXTURE_2D, 0, 0, 0, target.Width, target.Height, GL_RGBA, GL_FLOAT, plane.data());
-    }
-    vtkShaderProgram* const program = this->ReadyWrite(window, target);
-    const vitrine::PixelRegion& r = target.Region;
-    const int first[2] = { r.X, r.Y };
-    const int end[2] = { r.X + r.Width, r.Y + r.Height };
-    program->SetUniform2i("regionFirst", first);
-    program->SetUniform2i("regionEnd", end);
-    this->DrawSample(window, program, this->Picture, sample);
+    this->Plane.Write(window, target, sample, plane.data());
   }
 }
 
@@ -309,7 +246,7 @@ std::string vtkTruthTransparencyPass::RenderFragments(
 {
   Internals& in = *this->Private;
   vtkOpenGLRenderWindow* window = this->GetWindow();
-  if (!in.ReadyRead(window, target) || !in.ReadyWrite(window, target))
+  if (!in.Plane.Compile(window, target))
   {
     return vitrine::ProgramFailure;
   }
@@ -412,7 +349,7 @@ void vtkTruthTransparencyPass::KeepResult(
   this->NumberOfFragments = static_cast<vtkTypeInt64>(compositor.FragmentCount());
   this->MaximumNumberOfLayers = static_cast<vtkTypeInt64>(compositor.LayersMax());
   this->MeanNumberOfLayers = compositor.LayersMean();
-  this->Bytes = in.Fragments.Bytes() + in.Counter.Bytes() + in.Picture.Bytes() +
+  this->Bytes = in.Fragments.Bytes() + in.Counter.Bytes() + in.Plane.Bytes() +
     in.Backdrop.Image().Bytes() + this->GetSharedBytes();
 }
 
@@ -424,10 +361,7 @@ void vtkTruthTransparencyPass::ReleaseMethodResources()
   in.Fragments.Release();
   in.FillFramebuffer.Release();
   in.Backdrop.Release();
-  in.Picture.Release();
-  in.PictureFramebuffer.Release();
-  in.VertexArray.Release();
-  in.Programs.Release();
+  in.Plane.Release();
 }
 
 //------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-// Method `truth`, fragment shader: reads one sample of each pixel of the backdrop and writes it to the output.
+// Reads one sample of each pixel of an image and writes it to the output.
 #if VITRINE_SAMPLES > 0
 uniform sampler2DMS source;
 #else

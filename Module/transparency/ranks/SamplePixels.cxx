@@ -1,0 +1,271 @@
+#include "transparency/ranks/SamplePixels.h"
+
+#include "gl/FullScreenDraw.h"
+#include "gl/RenderTarget.h"
+#include "gl/ScopedState.h"
+#include "gl/StateRecord.h"
+#include "gl/TargetPixels.h"
+#include "shader/ShaderText.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <cstddef>
+#include <utility>
+
+namespace vitrine
+{
+namespace
+{
+
+const SamplePlane::Format DepthFormat = { GL_R32F, GL_RED, GL_FLOAT, true };
+constexpr GLfloat NotFound[] = { -1.0f, -1.0f, -1.0f, -1.0f };
+constexpr double SmallestStep = 1.0 / 4294967296.0;
+const char* const NotTold =
+  "the driver does not tell the depths of samples to the bit, which ranks "
+  "need; call SetMultiSamples(0)";
+constexpr std::uint32_t SignBit = 0x80000000u;
+
+std::size_t PixelsOfPlane(const RenderTarget& target)
+{
+  return std::size_t(target.Width) * target.Height;
+}
+
+// Returns true if each depth of the region was found.
+bool AreFound(const RenderTarget& target, const std::uint32_t* depths)
+{
+  const PixelRegion& r = target.Region;
+  bool all = true;
+  for (int y = r.Y; y < r.Y + r.Height; ++y)
+  {
+    for (int x = r.X; x < r.X + r.Width; ++x)
+    {
+      all = all && (depths[std::size_t(y) * target.Width + x] & SignBit) == 0;
+    }
+  }
+  return all;
+}
+
+}
+
+//------------------------------------------------------------------------------
+std::string SamplePixels::PrepareColors(vtkOpenGLRenderWindow* window, const RenderTarget& target)
+{
+  const std::string problem = this->Colors.Prepare(window->GetState(), target,
+    { target.Color.InternalFormat, GL_RGBA, TargetPixels::ColorType(target) });
+  return problem.empty() && !this->Colors.Compile(window, target) ? ProgramFailure : problem;
+}
+
+//------------------------------------------------------------------------------
+std::string SamplePixels::PrepareDepths(vtkOpenGLRenderWindow* window, const RenderTarget& target)
+{
+  const std::string problem = this->Depths.Prepare(window->GetState(), target, DepthFormat);
+  return problem.empty() && !this->Depths.Compile(window, target) ? ProgramFailure : problem;
+}
+
+//------------------------------------------------------------------------------
+std::string SamplePixels::ReadColors(
+  vtkOpenGLRenderWindow* window, const RenderTarget& target, std::vector<std::uint32_t>& words)
+{
+  const std::size_t wordsOfPlane = PixelsOfPlane(target) * TargetPixels::ColorWords(target);
+  words.resize(wordsOfPlane * target.Samples);
+  std::string problem = this->PrepareColors(window, target);
+  if (problem.empty())
+  {
+    problem = this->ColorCopy.Copy(window->GetState(), target);
+  }
+  const ScopedEncoding encoding(target.EncodesSRGB);
+  for (int sample = 0; sample < target.Samples && problem.empty(); ++sample)
+  {
+    this->Colors.Read(
+      window, target, this->ColorCopy.Image(), sample, &words[sample * wordsOfPlane]);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string SamplePixels::WriteColors(vtkOpenGLRenderWindow* window, const RenderTarget& target,
+  const std::vector<std::uint32_t>& words)
+{
+  const std::size_t wordsOfPlane = PixelsOfPlane(target) * TargetPixels::ColorWords(target);
+  std::string problem = this->PrepareColors(window, target);
+  const ScopedEncoding encoding(target.EncodesSRGB);
+  for (int sample = 0; sample < target.Samples && problem.empty(); ++sample)
+  {
+    this->Colors.Write(window, target, sample, &words[sample * wordsOfPlane]);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string SamplePixels::ReadDepths(
+  vtkOpenGLRenderWindow* window, const RenderTarget& target, std::vector<std::uint32_t>& words)
+{
+  const std::size_t pixels = PixelsOfPlane(target);
+  words.resize(pixels * target.Samples);
+  std::string problem = this->PrepareDepths(window, target);
+  if (problem.empty())
+  {
+    problem = this->FindDepths(window, target);
+  }
+  for (int sample = 0; sample < target.Samples && problem.empty(); ++sample)
+  {
+    std::uint32_t* const depths = &words[sample * pixels];
+    this->Depths.Read(window, target, this->Found.Depths, sample, depths);
+    if (!AreFound(target, depths))
+    {
+      problem = NotTold;
+    }
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string SamplePixels::WriteDepths(vtkOpenGLRenderWindow* window, const RenderTarget& target,
+  const std::vector<std::uint32_t>& words)
+{
+  std::string problem = this->PrepareDepths(window, target);
+  for (int sample = 0; sample < target.Samples && problem.empty(); ++sample)
+  {
+    this->Depths.Write(window, target, sample, &words[sample * PixelsOfPlane(target)]);
+  }
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+std::string SamplePixels::PrepareSearch(vtkOpenGLRenderWindow* window, const RenderTarget& target)
+{
+  vtkOpenGLState* const state = window->GetState();
+  for (DepthImage* const image : { &this->Found, &this->Next })
+  {
+    const std::string problem =
+      image->Depths.Allocate(DepthFormat.Image, target.Width, target.Height, target.Samples);
+    if (!problem.empty())
+    {
+      return problem;
+    }
+    image->Target.Attach(state, image->Depths);
+    BindForDrawing(state, image->Target.Handle());
+    target.AttachDepth();
+    if (glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    {
+      return NotTold;
+    }
+  }
+  return this->ReadyCompare(window) ? std::string() : ProgramFailure;
+}
+
+//------------------------------------------------------------------------------
+// Sets `Found`.
+std::string SamplePixels::FindDepths(vtkOpenGLRenderWindow* window, const RenderTarget& target)
+{
+  std::string problem = this->PrepareSearch(window, target);
+  const int copy = problem.empty() ? this->DepthToSample.UnitOf(window->GetState(), target) : -1;
+  if (problem.empty() && copy < 0)
+  {
+    problem = this->DepthToSample.Problem();
+  }
+  if (problem.empty())
+  {
+    const bool loses = target.DepthLoss > 0.0;
+    this->ClearNext(window->GetState());
+    this->Compare(window, target, copy, -2.0 * target.DepthLoss, loses ? GL_ALWAYS : GL_EQUAL);
+    if (loses)
+    {
+      this->Search(window, target);
+    }
+  }
+  this->DepthToSample.EndFrame();
+  return problem;
+}
+
+//------------------------------------------------------------------------------
+// Goes up from depths that are not farther than those of the samples, as long as the depth test finds none nearer.
+// Steps get smaller by half, down to those of 32 bits. At last depths are compared for equality.
+void SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& target)
+{
+  vtkOpenGLState* const state = window->GetState();
+  const auto compare = [&](double offset, GLenum test)
+  {
+    const ScopedTextureUnit unit(state, this->Found.Depths.Target(), this->Found.Depths.Handle());
+    this->Compare(window, target, unit.Unit(), offset, test);
+  };
+  for (double step = 2.0 * target.DepthLoss; step >= SmallestStep; step /= 2.0)
+  {
+    this->CopyToNext(state, target);
+    compare(step, GL_LEQUAL);
+  }
+  this->ClearNext(state);
+  compare(0.0, GL_EQUAL);
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* SamplePixels::ReadyCompare(vtkOpenGLRenderWindow* window)
+{
+  return this->Programs.Ready(
+    window, "compare", {}, shaders::FullScreenVertex, [] { return shaders::SampleDepth; });
+}
+
+//------------------------------------------------------------------------------
+// Sets the samples of `Next` whose depths pass the test to these depths: those of a texture unit, and an offset. Then
+// they are in `Found`.
+void SamplePixels::Compare(vtkOpenGLRenderWindow* window, const RenderTarget& target, int source,
+  double offset, unsigned int test)
+{
+  vtkOpenGLState* const state = window->GetState();
+  BindForFullScreenDraw(state, this->Next.Target.Handle(), target.Width, target.Height);
+  state->vtkglEnable(GL_MULTISAMPLE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(test);
+  const ScopedSampleMask sampleMask;
+  const BoundVertexArray vertexArray(this->VertexArray.Handle());
+  vtkShaderProgram* const program = this->ReadyCompare(window);
+  program->SetUniformi("source", source);
+  program->SetUniformf("offset", static_cast<float>(offset));
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  std::swap(this->Found, this->Next);
+}
+
+//------------------------------------------------------------------------------
+void SamplePixels::CopyToNext(vtkOpenGLState* state, const RenderTarget& target)
+{
+  BindForReading(state, this->Found.Target.Handle());
+  BindForDrawing(state, this->Next.Target.Handle());
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglBlitFramebuffer(0, 0, target.Width, target.Height, 0, 0, target.Width, target.Height,
+    GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+//------------------------------------------------------------------------------
+void SamplePixels::ClearNext(vtkOpenGLState* state)
+{
+  BindForDrawing(state, this->Next.Target.Handle());
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glClearBufferfv(GL_COLOR, 0, NotFound);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t SamplePixels::Bytes() const
+{
+  return this->Colors.Bytes() + this->Depths.Bytes() + this->ColorCopy.Image().Bytes() +
+    this->DepthToSample.Bytes() + this->Found.Depths.Bytes() + this->Next.Depths.Bytes();
+}
+
+//------------------------------------------------------------------------------
+void SamplePixels::Release()
+{
+  this->Colors.Release();
+  this->Depths.Release();
+  this->ColorCopy.Release();
+  this->DepthToSample.Release();
+  for (DepthImage* const image : { &this->Found, &this->Next })
+  {
+    image->Depths.Release();
+    image->Target.Release();
+  }
+  this->VertexArray.Release();
+  this->Programs.Release();
+}
+
+}
