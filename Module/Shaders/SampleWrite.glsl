@@ -1,4 +1,4 @@
-// Writes pixels of an image to the target, whose sample mask chooses the sample. The region is clipped here. The scissor
+// Writes pixels of an image to the target. The sample mask chooses the sample. The region is clipped here. The scissor
 // test is not used, since llvmpipe then loses samples of some pixels along its edges and draws samples of others
 // outside.
 //

@@ -207,11 +207,12 @@ TEST(SentLists, AreRefusedIfTheyDoNotFit)
 namespace
 {
 
-OpaquePixels MakeOpaque(std::mt19937& random, int colorWords)
+OpaquePixels MakeOpaque(std::mt19937& random, int colorWords, int samples)
 {
   OpaquePixels picture;
+  picture.Samples = samples;
   picture.ColorWords = colorWords;
-  for (int pixel = 0; pixel < PictureWidth * PictureHeight; ++pixel)
+  for (int sample = 0; sample < samples * PictureWidth * PictureHeight; ++sample)
   {
     picture.Depths.push_back(random() % 3 == 0 ? picture.Farthest : random() % 4);
     for (int word = 0; word < colorWords; ++word)
@@ -222,20 +223,27 @@ OpaquePixels MakeOpaque(std::mt19937& random, int colorWords)
   return picture;
 }
 
-// Words of pixels in the order of messages.
-std::vector<std::uint32_t> InOrder(const std::vector<std::uint32_t>& words)
+// Depths in the order of messages: all samples of a pixel, and then those of the next.
+std::vector<std::uint32_t> InOrder(const OpaquePixels& picture)
 {
   std::vector<std::uint32_t> ordered;
   for (const std::uint32_t pixel : AllPixels())
   {
-    ordered.push_back(words[pixel]);
+    for (int sample = 0; sample < picture.Samples; ++sample)
+    {
+      ordered.push_back(picture.Depths[sample * PictureWidth * PictureHeight + pixel]);
+    }
   }
   return ordered;
 }
 
+class OpaquePixelSamples : public testing::TestWithParam<int> // samples
+{
+};
+
 }
 
-TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
+TEST_P(OpaquePixelSamples, AreTheNearestWhateverTheOrderOfRanks)
 {
   std::mt19937 random(54);
   for (const int colorWords : { 1, 4 })
@@ -244,7 +252,7 @@ TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
     std::vector<Message> messages(4);
     for (int rank = 0; rank < 4; ++rank)
     {
-      ranks.push_back(MakeOpaque(random, colorWords));
+      ranks.push_back(MakeOpaque(random, colorWords, GetParam()));
       vitrine::PackOpaque(ranks.back(), AllPixels(), messages[rank]);
     }
     std::vector<OpaquePixels> combined;
@@ -255,26 +263,26 @@ TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
       {
         std::vector<std::uint32_t> depths;
         ASSERT_TRUE(vitrine::TakeNearer(messages[rank], AllPixels(), combined.back(), depths));
-        EXPECT_EQ(depths, InOrder(ranks[rank].Depths));
+        EXPECT_EQ(depths, InOrder(ranks[rank]));
       }
     }
     EXPECT_EQ(combined[0].Depths, combined[1].Depths);
-    for (std::size_t pixel = 0; pixel < ranks[0].Depths.size(); ++pixel)
+    for (std::size_t sample = 0; sample < ranks[0].Depths.size(); ++sample)
     {
       std::uint32_t nearest = ranks[0].Farthest;
       for (const OpaquePixels& rank : ranks)
       {
-        nearest = std::min(nearest, rank.Depths[pixel]);
+        nearest = std::min(nearest, rank.Depths[sample]);
       }
-      ASSERT_EQ(combined[0].Depths[pixel], nearest);
+      ASSERT_EQ(combined[0].Depths[sample], nearest);
       for (int word = 0; word < colorWords && nearest < ranks[0].Farthest; ++word)
       {
-        ASSERT_EQ(combined[0].Colors[pixel * colorWords + word],
-          combined[1].Colors[pixel * colorWords + word]);
+        ASSERT_EQ(combined[0].Colors[sample * colorWords + word],
+          combined[1].Colors[sample * colorWords + word]);
       }
     }
     Message told; // Rank 3 learns where others are nearer.
-    vitrine::PackDepths(combined[0], AllPixels(), InOrder(ranks[3].Depths), told);
+    vitrine::PackDepths(combined[0], AllPixels(), InOrder(ranks[3]), told);
     ASSERT_TRUE(vitrine::TakeDepths(told, AllPixels(), ranks[3]));
     EXPECT_EQ(ranks[3].Depths, combined[0].Depths);
     Message colors;
@@ -284,10 +292,10 @@ TEST(OpaquePixels, AreTheNearestWhateverTheOrderOfRanks)
   }
 }
 
-TEST(OpaquePixels, AreRefusedIfTheyDoNotFit)
+TEST_P(OpaquePixelSamples, AreRefusedIfTheyDoNotFit)
 {
   std::mt19937 random(54);
-  OpaquePixels picture = MakeOpaque(random, 1);
+  OpaquePixels picture = MakeOpaque(random, 1, GetParam());
   const OpaquePixels before = picture;
   Message good;
   vitrine::PackOpaque(picture, AllPixels(), good);
@@ -301,4 +309,33 @@ TEST(OpaquePixels, AreRefusedIfTheyDoNotFit)
     EXPECT_FALSE(vitrine::TakeDepths(cut, AllPixels(), picture)) << size;
   }
   EXPECT_FALSE(vitrine::TakeColors({}, AllPixels(), picture));
+  for (int i = 0; i < 300; ++i)
+  {
+    Message damaged = good;
+    damaged[random() % damaged.size()] = static_cast<unsigned char>(random());
+    vitrine::TakeNearer(damaged, AllPixels(), picture, depths); // must end
+    vitrine::TakeColors(damaged, AllPixels(), picture);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Counts, OpaquePixelSamples, testing::Values(1, 4, 5));
+
+// Within a pixel most samples have one colour. A message has it once, and one run for all samples after the first.
+TEST(OpaquePixels, TellAColorOnceForTheSamplesOfAPixel)
+{
+  constexpr std::size_t pixels = std::size_t(PictureWidth) * PictureHeight;
+  OpaquePixels picture;
+  picture.Samples = 4;
+  picture.Depths.assign(4 * pixels, 7u);
+  picture.Colors.assign(4 * pixels, 0x11223344u);
+  const auto bytesOf = [&](auto* pack)
+  {
+    Message message;
+    pack(picture, AllPixels(), message);
+    return message.size();
+  };
+  EXPECT_EQ(bytesOf(vitrine::PackColors), 1 + 4 * pixels);
+  EXPECT_EQ(bytesOf(vitrine::PackOpaque), 1 + 1 + 3 + 4 * 4 * pixels + 1 + 4 * pixels);
+  picture.Colors[2 * pixels + AllPixels()[0]] = 5u; // and sample 3 has the first colour again
+  EXPECT_EQ(bytesOf(vitrine::PackColors), 1 + 2 + 4 * (pixels + 2));
 }

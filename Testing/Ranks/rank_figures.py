@@ -1,7 +1,7 @@
 """Figures of ranks: are pictures those of one rank, how many bytes are sent, and what does it cost?
 
     python3 Testing/Ranks/rank_figures.py FILE|demo... [--ranks 1,2,3,4,8] [--partitions kd-tree,random] [--ghosts 0,1]
-        [--size 640x480] [--opacity 0.3] [--frames 4] [--storage HalfFloat|Compact] [--json OUT]
+        [--size 640x480] [--samples 0] [--opacity 0.3] [--frames 4] [--storage HalfFloat|Compact] [--json OUT]
 
 The cells of a model are divided among the ranks. Each row is a run of mpirun; each rank has one thread of the
 rasteriser and keeps to one core. "alone" is the frame of the slowest rank if each draws only its own geometry, at the
@@ -29,6 +29,7 @@ def read_arguments():
     parser.add_argument("--partitions", default="kd-tree,round-robin,random")
     parser.add_argument("--ghosts", default="0,1")
     parser.add_argument("--size", default="640x480")
+    parser.add_argument("--samples", default="0")
     parser.add_argument("--opacity", default="0.3")
     parser.add_argument("--frames", default="4")
     parser.add_argument("--storage", default="HalfFloat")
@@ -60,7 +61,8 @@ def main():
                 if ranks == 1 and (ghosts or partition != options.partitions.split(",")[0]):
                     continue
                 words = (options.source, options.opacity, partition, ghosts, options.size, options.storage)
-                result = run(ranks, *map(str, words), options.frames, script="rank_turn.py", timeout=600)
+                more = (options.samples, options.frames)
+                result = run(ranks, *map(str, words), *more, script="rank_turn.py", timeout=600)
                 lines = [line for line in result.stdout.splitlines() if line.startswith("[{")]
                 if result.returncode or not lines:
                     sys.exit(result.stderr)
@@ -69,7 +71,8 @@ def main():
                 if options.json:
                     with open(options.json, "a", encoding="utf-8") as out:
                         row = {"scene": name, "ranks": ranks, "partition": partition, "ghosts": ghosts}
-                        out.write(json.dumps({**row, "size": options.size, "told": told}) + "\n")
+                        row.update(size=options.size, samples=options.samples, told=told)
+                        out.write(json.dumps(row) + "\n")
 
 
 if __name__ == "__main__":

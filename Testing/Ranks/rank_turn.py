@@ -1,6 +1,6 @@
 """What each rank of mpirun does for rank_figures.py: a turn of a model whose cells are divided among the ranks.
 
-    mpirun -np N python3 -m mpi4py rank_turn.py SOURCE OPACITY PARTITION GHOSTS SIZE STORAGE FRAMES
+    mpirun -np N python3 -m mpi4py rank_turn.py SOURCE OPACITY PARTITION GHOSTS SIZE STORAGE SAMPLES FRAMES
 
 Each rank keeps to one core, and the ranks take the cores in turn. Rank 0 writes one line of JSON with a row for each
 rank. Times are in seconds.
@@ -31,10 +31,10 @@ rank, ranks = comm.Get_rank(), comm.Get_size()
 os.sched_setaffinity(0, {rank % os.cpu_count()})
 
 
-def window_of(data, size):
+def window_of(data, size, samples):
     window = vitrine.vtkHeadlessRenderWindow()
     window.SetSize(*size)
-    window.SetMultiSamples(0)
+    window.SetMultiSamples(samples)
     renderer = vtkRenderer()
     renderer.SetBackground(0.2, 0.3, 0.4)
     window.AddRenderer(renderer)
@@ -77,12 +77,12 @@ def wait_for_all():
 
 
 def main():
-    source, opacity, partition, ghosts, size, storage, frames = sys.argv[1:]
+    source, opacity, partition, ghosts, size, storage, samples, frames = sys.argv[1:]
     size = tuple(map(int, size.split("x")))
-    frames = int(frames)
+    samples, frames = int(samples), int(frames)
     scene = scene_of(vitrine.load(source), float(opacity) if float(opacity) < 1 else None)
     random = np.random.default_rng(SEED)
-    window, renderer = window_of(piece_of(scene, rank, ranks, partition, ghosts == "1", random), size)
+    window, renderer = window_of(piece_of(scene, rank, ranks, partition, ghosts == "1", random), size, samples)
     method = vitrine.vtkDistributedTransparencyPass()
     method.SetController(controller)
     together = pass_with(method, storage)
@@ -111,7 +111,7 @@ def main():
     method.SynchronizeCamera(renderer)
     shown = picture(window)
     if rank == 0:
-        whole, one = window_of(scene.piece(np.arange(len(scene.triangles))), size)
+        whole, one = window_of(scene.piece(np.arange(len(scene.triangles))), size, samples)
         one.SetPass(pass_with(vitrine.vtkLinkedListTransparencyPass(), storage))
         one.SetActiveCamera(renderer.GetActiveCamera())
         told["differing"] = int((picture(whole) != shown).sum())

@@ -123,8 +123,8 @@ const std::uint32_t* ColorAt(const OpaquePixels& picture, std::size_t sample)
 }
 
 // Appends the colours of `count` samples. `placeOf` returns the place of the sample with this number. With several
-// samples a pixel, runs tell the samples whose colour is not that of the sample before in their pixel; the first ones of
-// pixels are not told.
+// samples a pixel, runs tell the samples whose colour is not that of the sample before in their pixel. The first one of
+// a pixel is not among them.
 template <class PlaceOf>
 void AppendColors(const OpaquePixels& picture, const SamplePlaces& places, std::size_t count,
   const PlaceOf& placeOf, Message& message)

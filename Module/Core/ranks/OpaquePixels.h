@@ -12,9 +12,9 @@ namespace vitrine
 {
 
 /**
- * Depths and colours of a picture. Pixels are counted by rows from the bottom. A multisampled picture has first sample 0
- * of all pixels, then sample 1, and so on. Depths are words whose order is that of the depths: integers, or bits of
- * floats that are not negative.
+ * Depths and colours of a picture. Pixels are counted by rows from the bottom. A multisampled picture begins with
+ * sample 0 of all pixels, then has sample 1, and so on. Depths are words whose order is that of the depths: integers,
+ * or bits of floats that are not negative.
  */
 struct OpaquePixels
 {
@@ -26,9 +26,9 @@ struct OpaquePixels
 };
 
 /**
- * Appends the samples of `pixels` in which something was drawn: runs of samples to leave out and to take, and depths and
- * colours. Messages list all samples of a pixel, then those of the next. A colour that is that of the sample before in
- * the same pixel is not repeated. Appends nothing if nothing was drawn.
+ * Appends the samples of `pixels` in which something was drawn: runs of samples to leave out and to take, and depths
+ * and colours. Messages list all samples of a pixel, then those of the next. A colour that is that of the sample before
+ * in the same pixel is not repeated. Appends nothing if nothing was drawn.
  */
 void PackOpaque(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message);
 

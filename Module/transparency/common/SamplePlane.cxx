@@ -9,6 +9,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <optional>
 #include <vector>
 
 namespace vitrine
@@ -94,9 +95,10 @@ void SamplePlane::Write(
   const int end[2] = { r.X + r.Width, r.Y + r.Height };
   program->SetUniform2i("regionFirst", first);
   program->SetUniform2i("regionEnd", end);
-  const ScopedSampleMask sampleMask;
+  std::optional<ScopedSampleMask> sampleMask;
   if (target.Samples > 0)
   {
+    sampleMask.emplace();
     state->vtkglEnable(GL_MULTISAMPLE);
     ScopedSampleMask::DrawInto(sample);
   }

@@ -10,6 +10,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -20,7 +22,8 @@ namespace
 
 const SamplePlane::Format DepthFormat = { GL_R32F, GL_RED, GL_FLOAT, true };
 constexpr GLfloat NotFound[] = { -1.0f, -1.0f, -1.0f, -1.0f };
-constexpr double SmallestStep = 1.0 / 4294967296.0;
+// How much a sampler and a float of 24 bits may lose of a depth of fixed point.
+constexpr double LossOfSamplers = 1.0 / 8388608.0;
 const char* const NotTold =
   "the driver does not tell the depths of samples to the bit, which ranks "
   "need; call SetMultiSamples(0)";
@@ -167,12 +170,15 @@ std::string SamplePixels::FindDepths(vtkOpenGLRenderWindow* window, const Render
   }
   if (problem.empty())
   {
-    const bool loses = target.DepthLoss > 0.0;
     this->ClearNext(window->GetState());
-    this->Compare(window, target, copy, -2.0 * target.DepthLoss, loses ? GL_ALWAYS : GL_EQUAL);
-    if (loses)
+    if (target.Depth.FixedPoint)
     {
+      this->Compare(window, target, copy, -2.0 * LossOfSamplers, GL_ALWAYS);
       this->Search(window, target);
+    }
+    else
+    {
+      this->Compare(window, target, copy, 0.0, GL_EQUAL);
     }
   }
   this->DepthToSample.EndFrame();
@@ -181,7 +187,7 @@ std::string SamplePixels::FindDepths(vtkOpenGLRenderWindow* window, const Render
 
 //------------------------------------------------------------------------------
 // Goes up from depths that are not farther than those of the samples, as long as the depth test finds none nearer.
-// Steps get smaller by half, down to those of 32 bits. At last depths are compared for equality.
+// Steps get smaller by half, down to those of the depth buffer. At last depths are compared for equality.
 void SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& target)
 {
   vtkOpenGLState* const state = window->GetState();
@@ -190,7 +196,8 @@ void SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& tar
     const ScopedTextureUnit unit(state, this->Found.Depths.Target(), this->Found.Depths.Handle());
     this->Compare(window, target, unit.Unit(), offset, test);
   };
-  for (double step = 2.0 * target.DepthLoss; step >= SmallestStep; step /= 2.0)
+  const double smallest = std::ldexp(1.0, -std::max(target.Depth.DepthBits, 25));
+  for (double step = 2.0 * LossOfSamplers; step >= smallest; step /= 2.0)
   {
     this->CopyToNext(state, target);
     compare(step, GL_LEQUAL);
