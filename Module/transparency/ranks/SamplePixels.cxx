@@ -27,15 +27,18 @@ constexpr double LossOfSamplers = 1.0 / 8388608.0;
 const char* const NotTold =
   "the driver does not tell the depths of samples to the bit, which ranks "
   "need; call SetMultiSamples(0)";
-constexpr std::uint32_t SignBit = 0x80000000u;
+constexpr std::uint32_t SignBit = 0x80000000u; // of depths that were not found
+// From this depth on floats have steps of 2^-24, so that no smaller step of a search changes them.
+constexpr std::uint32_t FirstCoarseDepth = 0x3f100000u; // 0.5625
+constexpr double CoarseStep = 1.0 / 16777216.0;
 
 std::size_t PixelsOfPlane(const RenderTarget& target)
 {
   return std::size_t(target.Width) * target.Height;
 }
 
-// Returns true if each depth of the region was found.
-bool AreFound(const RenderTarget& target, const std::uint32_t* depths)
+// Returns true if each depth of the region was found, and none is nearer than `nearest`.
+bool AreFound(const RenderTarget& target, const std::uint32_t* depths, std::uint32_t nearest)
 {
   const PixelRegion& r = target.Region;
   bool all = true;
@@ -43,7 +46,8 @@ bool AreFound(const RenderTarget& target, const std::uint32_t* depths)
   {
     for (int x = r.X; x < r.X + r.Width; ++x)
     {
-      all = all && (depths[std::size_t(y) * target.Width + x] & SignBit) == 0;
+      const std::uint32_t depth = depths[std::size_t(y) * target.Width + x];
+      all = all && depth < SignBit && depth >= nearest;
     }
   }
   return all;
@@ -104,22 +108,22 @@ std::string SamplePixels::WriteColors(vtkOpenGLRenderWindow* window, const Rende
 std::string SamplePixels::ReadDepths(
   vtkOpenGLRenderWindow* window, const RenderTarget& target, std::vector<std::uint32_t>& words)
 {
-  const std::size_t pixels = PixelsOfPlane(target);
-  words.resize(pixels * target.Samples);
+  words.resize(PixelsOfPlane(target) * target.Samples);
   std::string problem = this->PrepareDepths(window, target);
   if (problem.empty())
   {
-    problem = this->FindDepths(window, target);
+    problem = this->PrepareSearch(window, target);
   }
-  for (int sample = 0; sample < target.Samples && problem.empty(); ++sample)
+  const int copy = problem.empty() ? this->DepthToSample.UnitOf(window->GetState(), target) : -1;
+  if (problem.empty() && copy < 0)
   {
-    std::uint32_t* const depths = &words[sample * pixels];
-    this->Depths.Read(window, target, this->Found.Depths, sample, depths);
-    if (!AreFound(target, depths))
-    {
-      problem = NotTold;
-    }
+    problem = this->DepthToSample.Problem();
   }
+  if (problem.empty() && !this->Search(window, target, copy, words))
+  {
+    problem = NotTold;
+  }
+  this->DepthToSample.EndFrame();
   return problem;
 }
 
@@ -159,51 +163,58 @@ std::string SamplePixels::PrepareSearch(vtkOpenGLRenderWindow* window, const Ren
 }
 
 //------------------------------------------------------------------------------
-// Sets `Found`.
-std::string SamplePixels::FindDepths(vtkOpenGLRenderWindow* window, const RenderTarget& target)
-{
-  std::string problem = this->PrepareSearch(window, target);
-  const int copy = problem.empty() ? this->DepthToSample.UnitOf(window->GetState(), target) : -1;
-  if (problem.empty() && copy < 0)
-  {
-    problem = this->DepthToSample.Problem();
-  }
-  if (problem.empty())
-  {
-    this->ClearNext(window->GetState());
-    if (target.Depth.FixedPoint)
-    {
-      this->Compare(window, target, copy, -2.0 * LossOfSamplers, GL_ALWAYS);
-      this->Search(window, target);
-    }
-    else
-    {
-      this->Compare(window, target, copy, 0.0, GL_EQUAL);
-    }
-  }
-  this->DepthToSample.EndFrame();
-  return problem;
-}
-
-//------------------------------------------------------------------------------
 // Goes up from depths that are not farther than those of the samples, as long as the depth test finds none nearer.
-// Steps get smaller by half, down to those of the depth buffer. At last depths are compared for equality.
-void SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& target)
+// Steps get smaller by half, down to those of the depth buffer. So the largest float is found that is not farther. At
+// last depths are compared for equality. If all are coarse, that is done before the smaller steps, which change none.
+bool SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& target, int copy,
+  std::vector<std::uint32_t>& words)
 {
   vtkOpenGLState* const state = window->GetState();
+  if (!target.Depth.FixedPoint)
+  {
+    this->ClearNext(state);
+    this->Compare(window, target, copy, 0.0, GL_EQUAL);
+    return this->ReadFound(window, target, 0u, words);
+  }
   const auto compare = [&](double offset, GLenum test)
   {
     const ScopedTextureUnit unit(state, this->Found.Depths.Target(), this->Found.Depths.Handle());
     this->Compare(window, target, unit.Unit(), offset, test);
   };
   const double smallest = std::ldexp(1.0, -std::max(target.Depth.DepthBits, 25));
-  for (double step = 2.0 * LossOfSamplers; step >= smallest; step /= 2.0)
+  double step = 2.0 * LossOfSamplers;
+  this->Compare(window, target, copy, -step, GL_ALWAYS);
+  for (const bool isLast : { false, true })
   {
-    this->CopyToNext(state, target);
-    compare(step, GL_LEQUAL);
+    for (; step >= (isLast ? smallest : CoarseStep); step /= 2.0)
+    {
+      this->CopyToNext(state, target);
+      compare(step, GL_LEQUAL);
+    }
+    this->ClearNext(state);
+    compare(0.0, GL_EQUAL);
+    if (this->ReadFound(window, target, isLast ? 0u : FirstCoarseDepth, words))
+    {
+      return true;
+    }
+    std::swap(this->Found, this->Next); // to what was compared
   }
-  this->ClearNext(state);
-  compare(0.0, GL_EQUAL);
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Returns false, without reading all, if a depth was not found or is nearer than `nearest`.
+bool SamplePixels::ReadFound(vtkOpenGLRenderWindow* window, const RenderTarget& target,
+  std::uint32_t nearest, std::vector<std::uint32_t>& words)
+{
+  bool all = true;
+  for (int sample = 0; sample < target.Samples && all; ++sample)
+  {
+    std::uint32_t* const depths = &words[sample * PixelsOfPlane(target)];
+    this->Depths.Read(window, target, this->Found.Depths, sample, depths);
+    all = AreFound(target, depths, nearest);
+  }
+  return all;
 }
 
 //------------------------------------------------------------------------------

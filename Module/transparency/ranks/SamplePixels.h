@@ -55,8 +55,10 @@ private:
   std::string PrepareColors(vtkOpenGLRenderWindow* window, const RenderTarget& target);
   std::string PrepareDepths(vtkOpenGLRenderWindow* window, const RenderTarget& target);
   std::string PrepareSearch(vtkOpenGLRenderWindow* window, const RenderTarget& target);
-  std::string FindDepths(vtkOpenGLRenderWindow* window, const RenderTarget& target);
-  void Search(vtkOpenGLRenderWindow* window, const RenderTarget& target);
+  bool Search(vtkOpenGLRenderWindow* window, const RenderTarget& target, int copy,
+    std::vector<std::uint32_t>& words);
+  bool ReadFound(vtkOpenGLRenderWindow* window, const RenderTarget& target, std::uint32_t nearest,
+    std::vector<std::uint32_t>& words);
   vtkShaderProgram* ReadyCompare(vtkOpenGLRenderWindow* window);
   void Compare(vtkOpenGLRenderWindow* window, const RenderTarget& target, int source, double offset,
     unsigned int test);
