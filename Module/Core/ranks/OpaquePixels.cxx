@@ -12,30 +12,47 @@ class SamplePlaces
 {
 public:
   SamplePlaces(const OpaquePixels& picture, const OwnedPixels& pixels)
-    : Pixels(pixels)
-    , Samples(static_cast<std::size_t>(picture.Samples))
-    , PlaneSize(picture.Depths.size() / this->Samples)
+    : Samples(static_cast<std::size_t>(picture.Samples))
+    , Numbers(pixels.data())
+    , Places(pixels.size() * this->Samples)
   {
+    if (this->HasSamples())
+    {
+      this->Expand(pixels, static_cast<std::uint32_t>(picture.Depths.size() / this->Samples));
+    }
   }
-  std::size_t Count() const { return this->Pixels.size() * this->Samples; }
+  SamplePlaces(const SamplePlaces&) = delete;
+  void operator=(const SamplePlaces&) = delete;
+
+  std::size_t Count() const { return this->Places; }
   bool HasSamples() const { return this->Samples > 1; }
 
   // Returns where the picture has the depth of a place.
-  std::size_t operator[](std::size_t place) const
-  {
-    return this->HasSamples()
-      ? place % this->Samples * this->PlaneSize + this->Pixels[place / this->Samples]
-      : this->Pixels[place];
-  }
+  std::size_t operator[](std::size_t place) const { return this->Numbers[place]; }
+
   bool AreOfOnePixel(std::size_t a, std::size_t b) const
   {
     return a / this->Samples == b / this->Samples;
   }
 
 private:
-  const OwnedPixels& Pixels;
+  void Expand(const OwnedPixels& pixels, std::uint32_t picturePixels)
+  {
+    this->Expanded.reserve(this->Places);
+    for (const std::uint32_t pixel : pixels)
+    {
+      for (std::size_t sample = 0; sample < this->Samples; ++sample)
+      {
+        this->Expanded.push_back(static_cast<std::uint32_t>(sample) * picturePixels + pixel);
+      }
+    }
+    this->Numbers = this->Expanded.data();
+  }
+
   std::size_t Samples;
-  std::size_t PlaneSize;
+  const std::uint32_t* Numbers;
+  std::size_t Places;
+  std::vector<std::uint32_t> Expanded;
 };
 
 // Runs of places: how many are left out and how many are taken, in turn, up to the last that is taken.
@@ -150,11 +167,11 @@ void AppendColors(const OpaquePixels& picture, const SamplePlaces& places, std::
   }
 }
 
-// Reads what AppendColors() wrote, and calls `take` with the number of each sample and its colour. Returns false if
+// Reads what AppendColors() wrote to where `colorOf` has the colour of the sample with this number. Returns false if
 // there is not so much.
-template <class PlaceOf, class Take>
-bool TakeColorsOf(MessageReader& reader, const OpaquePixels& picture, const SamplePlaces& places,
-  std::size_t count, const PlaceOf& placeOf, const Take& take)
+template <class PlaceOf, class ColorOf>
+bool TakeColorsOf(MessageReader& reader, int words, const SamplePlaces& places, std::size_t count,
+  const PlaceOf& placeOf, const ColorOf& colorOf)
 {
   std::vector<std::size_t> differing;
   if (places.HasSamples() && !TakeRuns(reader, count, differing))
@@ -162,17 +179,19 @@ bool TakeColorsOf(MessageReader& reader, const OpaquePixels& picture, const Samp
     return false;
   }
   auto next = differing.begin();
-  std::vector<std::uint32_t> color(picture.ColorWords);
-  for (std::size_t i = 0; i < count && reader.IsGood(); ++i)
+  for (std::size_t i = 0; i < count; ++i)
   {
     const bool differs = next != differing.end() && *next == i;
     next += differs ? 1 : 0;
     if (differs || !places.HasSamples() || i == 0 ||
       !places.AreOfOnePixel(placeOf(i - 1), placeOf(i)))
     {
-      reader.TakeWords(color.data(), color.size());
+      reader.TakeWords(colorOf(i), words);
     }
-    take(i, color);
+    else
+    {
+      std::copy_n(colorOf(i - 1), words, colorOf(i));
+    }
   }
   return reader.IsGood();
 }
@@ -215,12 +234,19 @@ bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels&
   }
   const auto words = static_cast<std::size_t>(picture.ColorWords);
   const std::vector<std::uint32_t> nearer = TakeWordsOf(reader, drawn.size());
-  std::vector<std::uint32_t> colors;
-  const bool hasColors = TakeColorsOf(
-    reader, picture, places, drawn.size(), [&](std::size_t i) { return drawn[i]; },
-    [&](std::size_t, const std::vector<std::uint32_t>& color)
-    { colors.insert(colors.end(), color.begin(), color.end()); });
-  if (!hasColors || !IsEnded(reader))
+  std::vector<std::uint32_t> colors(drawn.size() * words);
+  if (!places.HasSamples())
+  {
+    reader.TakeWords(colors.data(), colors.size());
+  }
+  else if (!TakeColorsOf(
+             reader, picture.ColorWords, places, drawn.size(),
+             [&](std::size_t i) { return drawn[i]; },
+             [&](std::size_t i) { return colors.data() + i * words; }))
+  {
+    return false;
+  }
+  if (!IsEnded(reader))
   {
     return false;
   }
@@ -297,12 +323,10 @@ bool TakeColors(const Message& message, const OwnedPixels& pixels, OpaquePixels&
   const SamplePlaces places(picture, pixels);
   MessageReader reader(message);
   const auto words = static_cast<std::size_t>(picture.ColorWords);
-  return TakeColorsOf(
-           reader, picture, places, places.Count(), [](std::size_t i) { return i; },
-           [&](std::size_t place, const std::vector<std::uint32_t>& color) {
-             std::copy_n(color.begin(), words, picture.Colors.begin() + places[place] * words);
-           }) &&
-    IsEnded(reader);
+  const bool hasColors = TakeColorsOf(
+    reader, picture.ColorWords, places, places.Count(), [](std::size_t i) { return i; },
+    [&](std::size_t place) { return picture.Colors.data() + places[place] * words; });
+  return hasColors && IsEnded(reader);
 }
 
 }
