@@ -56,13 +56,11 @@ std::string RankPicture::ReadColors(vtkOpenGLRenderWindow* window, const RenderT
   return {};
 }
 
-std::string RankPicture::Write(
+std::string RankPicture::WriteDepths(
   vtkOpenGLRenderWindow* window, const RenderTarget& target, const OpaquePixels& pixels)
 {
-  const std::string problem = target.Samples > 0
-    ? this->Samples.WriteDepths(window, target, pixels.Depths)
-    : this->Transfer.WriteDepths(window->GetState(), target, pixels.Depths);
-  return problem.empty() ? this->WriteColors(window, target, pixels) : problem;
+  return target.Samples > 0 ? this->Samples.WriteDepths(window, target, pixels.Depths)
+                            : this->Transfer.WriteDepths(window->GetState(), target, pixels.Depths);
 }
 
 std::string RankPicture::WriteColors(
@@ -76,19 +74,28 @@ void RankPicture::PutBack(vtkOpenGLRenderWindow* window, const RenderTarget& tar
 {
   if (!this->Before.Depths.empty())
   {
-    this->Write(window, target, this->Before);
+    this->WriteDepths(window, target, this->Before);
+    this->WriteColors(window, target, this->Before);
   }
 }
 
 std::string RankPicture::CombineOpaque(RankExchange& ranks, const TileOwners& owners,
   vtkOpenGLRenderWindow* window, const RenderTarget& target)
 {
-  const std::string problem = this->Read(window, target);
+  std::string problem = this->Read(window, target);
   if (!this->ExchangeOpaque(ranks, owners))
   {
     return Malformed(ranks);
   }
-  return problem.empty() ? this->Write(window, target, this->Pixels) : problem;
+  if (problem.empty() && this->Pixels.Depths != this->Before.Depths)
+  {
+    problem = this->WriteDepths(window, target, this->Pixels);
+  }
+  if (problem.empty() && this->Pixels.Colors != this->Before.Colors)
+  {
+    problem = this->WriteColors(window, target, this->Pixels);
+  }
+  return problem;
 }
 
 // Returns false if a message does not fit.

@@ -45,7 +45,7 @@ public:
 private:
   std::string Read(vtkOpenGLRenderWindow* window, const RenderTarget& target);
   std::string ReadColors(vtkOpenGLRenderWindow* window, const RenderTarget& target);
-  std::string Write(
+  std::string WriteDepths(
     vtkOpenGLRenderWindow* window, const RenderTarget& target, const OpaquePixels& pixels);
   std::string WriteColors(
     vtkOpenGLRenderWindow* window, const RenderTarget& target, const OpaquePixels& pixels);

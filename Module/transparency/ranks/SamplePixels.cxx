@@ -163,24 +163,25 @@ std::string SamplePixels::PrepareSearch(vtkOpenGLRenderWindow* window, const Ren
 }
 
 //------------------------------------------------------------------------------
-// Goes up from depths that are not farther than those of the samples, as long as the depth test finds none nearer.
-// Steps get smaller by half, down to those of the depth buffer. So the largest float is found that is not farther. At
-// last depths are compared for equality. If all are coarse, that is done before the smaller steps, which change none.
+// Takes the sampled depths if all of them are those of the samples. Else floats are searched for the others: the search
+// goes up from a depth that is not farther, as long as the depth test finds none nearer. Steps get smaller by half,
+// down to those of the depth buffer. So the last float is the largest that is not farther. If all depths are coarse,
+// the smaller steps change none and are left out. What is found depends on the depth of the sample alone.
 bool SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& target, int copy,
   std::vector<std::uint32_t>& words)
 {
   vtkOpenGLState* const state = window->GetState();
-  if (!target.Depth.FixedPoint)
-  {
-    this->ClearNext(state);
-    this->Compare(window, target, copy, 0.0, GL_EQUAL);
-    return this->ReadFound(window, target, 0u, words);
-  }
   const auto compare = [&](double offset, GLenum test)
   {
     const ScopedTextureUnit unit(state, this->Found.Depths.Target(), this->Found.Depths.Handle());
     this->Compare(window, target, unit.Unit(), offset, test);
   };
+  this->ClearNext(state);
+  this->Compare(window, target, copy, 0.0, GL_EQUAL);
+  if (this->ReadFound(window, target, 0u, words))
+  {
+    return true;
+  }
   const double smallest = std::ldexp(1.0, -std::max(target.Depth.DepthBits, 25));
   double step = 2.0 * LossOfSamplers;
   this->Compare(window, target, copy, -step, GL_ALWAYS);
@@ -193,6 +194,8 @@ bool SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& tar
     }
     this->ClearNext(state);
     compare(0.0, GL_EQUAL);
+    std::swap(this->Found, this->Next); // to draw over it
+    this->Compare(window, target, copy, 0.0, GL_EQUAL);
     if (this->ReadFound(window, target, isLast ? 0u : FirstCoarseDepth, words))
     {
       return true;
