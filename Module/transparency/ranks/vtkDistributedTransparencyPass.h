@@ -13,6 +13,8 @@
  * 4. The owner joins the lists, sorts and composites them.
  * 5. The tiles are sent to the rank that wants the picture.
  *
+ * In multisampled windows, opaque samples are combined one by one, and the owner of a pixel owns its samples.
+ *
  * Fragments of equal depth are ordered by their packed colour. So the picture is to the bit that of one rank with all
  * of the geometry, however it is spread. Opaque faces of exactly one depth are an exception: VTK shows that which is
  * drawn last, and ranks have no common order. The larger colour is taken.
