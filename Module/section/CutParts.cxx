@@ -119,10 +119,14 @@ void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const 
   this->ChangeNumber += isSame ? 0 : 1;
 }
 
-/** Adds a part if a plane cuts it and none removes it. */
+/** Adds a part if a plane cuts it and none removes it. Points alone are nothing to cut. */
 void CutParts::Look(vtkActor* actor, const DrawnData& drawn, const glm::dmat4& toWorld,
   const SectionPlanes& planes, const MasksOf& masksOf)
 {
+  if (drawn.Data && drawn.Data->GetNumberOfCells() == 0)
+  {
+    return;
+  }
   double bounds[6];
   if (drawn.Data)
   {

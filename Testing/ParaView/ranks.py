@@ -196,6 +196,12 @@ def section_of_parts_of_all_ranks(view):
 
 
 @scene
+def caps_of_divided_parts(view):
+    settings(view, SectionPlane=1, SectionNormal=[0, 0.3, -1])
+    spheres(view, 0.5)
+
+
+@scene
 def culling(view):
     settings(view, Culling=1)
     sphere(view, 7, 1.0, "whole")

@@ -6,6 +6,9 @@
 #include "vtkLayerPicker.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkPartXRay.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
 
 #include <gtest/gtest.h>
 
@@ -182,6 +185,25 @@ TEST(SectionPicture, HasCapsOfXRaysThatWereAttachedBeforeOrLater)
     EXPECT_TRUE(Matches(later[i], before[i]));
     EXPECT_EQ(before[i].At(10, 10)[0], i == 2 ? 0.0 : 1.0 / 255.0); // 2 has no x-ray
   }
+}
+
+// A rank has such data of parts whose cells are those of another one.
+TEST(Section, CutsNoPointsWithoutCells)
+{
+  SectionScene scene;
+  const int parts = scene.Section->GetNumberOfCutParts();
+  EXPECT_GT(parts, 0);
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(-1.0, -1.0, -1.0);
+  points->InsertNextPoint(1.0, 1.0, 1.0);
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  scene.Renderer->AddActor(actor);
+  EXPECT_EQ(scene.Section->GetNumberOfCutParts(), parts);
 }
 
 // The window may be finalized, and the renderer may go to another window, where names of objects are others'.

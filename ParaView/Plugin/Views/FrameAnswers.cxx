@@ -19,7 +19,8 @@ void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
 {
   stream << answers.Reason << static_cast<vtkTypeInt64>(answers.Fragments)
          << static_cast<vtkTypeInt64>(answers.MostLayers) << answers.CullingReason
-         << static_cast<vtkTypeInt64>(answers.CulledParts) << answers.LayersProblem
+         << static_cast<vtkTypeInt64>(answers.CulledParts)
+         << static_cast<vtkTypeInt64>(answers.OpenCutParts) << answers.LayersProblem
          << static_cast<unsigned int>(answers.Layers.size());
   for (const LayerOfPixel& layer : answers.Layers)
   {
@@ -31,13 +32,14 @@ void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
 FrameAnswers Read(vtkMultiProcessStream& stream)
 {
   FrameAnswers answers;
-  vtkTypeInt64 fragments = 0, layers = 0, culled = 0;
+  vtkTypeInt64 fragments = 0, layers = 0, culled = 0, open = 0;
   unsigned int count = 0;
-  stream >> answers.Reason >> fragments >> layers >> answers.CullingReason >> culled >>
+  stream >> answers.Reason >> fragments >> layers >> answers.CullingReason >> culled >> open >>
     answers.LayersProblem >> count;
   answers.Fragments = static_cast<vtkIdType>(fragments);
   answers.MostLayers = static_cast<vtkIdType>(layers);
   answers.CulledParts = static_cast<vtkIdType>(culled);
+  answers.OpenCutParts = static_cast<vtkIdType>(open);
   answers.Layers.resize(count);
   for (LayerOfPixel& layer : answers.Layers)
   {
@@ -59,6 +61,7 @@ void FrameAnswers::Gather(vtkMultiProcessController* ranks)
   {
     const FrameAnswers told = Read(all[rank]);
     this->CulledParts += told.CulledParts;
+    this->OpenCutParts += told.OpenCutParts;
     for (std::size_t i = 0; i < this->Layers.size(); ++i)
     {
       if (this->Layers[i].Rank == static_cast<int>(rank))

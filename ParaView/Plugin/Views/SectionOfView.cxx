@@ -13,6 +13,17 @@ void SectionOfView::SetSceneBounds(const vtkBoundingBox& bounds)
   this->Section->SetSceneBounds(b[0], b[1], b[2], b[3], b[4], b[5]);
 }
 
+int SectionOfView::CountOpenParts() const
+{
+  int count = 0;
+  const bool haveCaps = this->Section->GetRenderer() && this->Section->GetCaps();
+  for (int i = 0; haveCaps && i < this->Section->GetNumberOfCutParts(); ++i)
+  {
+    count += this->Section->IsCutPartClosed(i) ? 0 : 1;
+  }
+  return count;
+}
+
 void SectionOfView::Update(vtkRenderer* renderer)
 {
   this->Section->RemoveAllPlanes();

@@ -41,6 +41,9 @@ public:
   /** Set the bounds of what the view shows on all ranks, which then cut alike. */
   void SetSceneBounds(const vtkBoundingBox& bounds);
 
+  /** Returns how many parts the last frame cut that are to have caps, and are not closed in this process. */
+  int CountOpenParts() const;
+
   /** Gives the planes and the box to the section, which is attached to the renderer where there are any. */
   void Update(vtkRenderer* renderer);
 };

@@ -102,9 +102,23 @@ struct vtkVitrineRenderView::Internals
     this->Layers.Find(renderer, ranks, answers);
     if (ranks)
     {
-      answers.Gather(ranks);
+      this->TakeAnswersOf(ranks, answers);
     }
     return answers;
+  }
+
+  /** Adds what other ranks tell. A part that is divided among ranks is open on each, and then has no right cap. */
+  void TakeAnswersOf(vtkMultiProcessController* ranks, vitrine::FrameAnswers& answers)
+  {
+    answers.OpenCutParts = this->Section.CountOpenParts();
+    answers.Gather(ranks);
+    if (answers.OpenCutParts > 0 && answers.Reason.empty())
+    {
+      answers.Reason = std::to_string(answers.OpenCutParts) +
+        " parts that the section cuts are not closed on their ranks, so their caps may be "
+        "incomplete; "
+        "set SectionCaps to 0";
+    }
   }
 
   template <class Value>
