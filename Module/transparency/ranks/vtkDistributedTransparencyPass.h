@@ -41,9 +41,9 @@
  * Where single meshes are divided, switch that off by SetVBOShiftScaleMethod() of their mappers, or fragments differ in
  * their last bits.
  *
- * Limits: no ambient occlusion and no shadows. A skybox is on all ranks. Volumes and what is drawn after the translucent
- * geometry are those of the rank itself. PartNumbers tell the parts of the rank itself; a vtkLayerPicker with the
- * controller tells those of all. A section gives caps to parts that are whole on a rank.
+ * Limits: no ambient occlusion and no shadows. A skybox is on all ranks. Volumes and what is drawn after the
+ * translucent geometry are those of the rank itself. PartNumbers tell the parts of the rank itself; a vtkLayerPicker
+ * with the controller tells those of all. A section gives caps to parts that are whole on a rank.
  *
  * Sources: S. Molnar, M. Cox, D. Ellsworth, H. Fuchs: A Sorting Classification of Parallel Rendering, IEEE Computer
  * Graphics and Applications 14 (1994), sort-last; W. M. Hsu: Segmented Ray Casting for Data Parallel Volume Rendering,
