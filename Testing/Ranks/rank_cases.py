@@ -91,7 +91,7 @@ class View:
 
     def picture(self):
         self.window.Render()
-        width, height = self.window.GetSize()
+        width, height = self.window.GetActualSize()
         pixels = vtkUnsignedCharArray()
         self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
         return vtk_to_numpy(pixels).copy()
@@ -238,6 +238,28 @@ def all_ranks():
     picture = view.picture()
     same = [bool((picture == other).all()) for other in comm.allgather(picture)]
     return found(view, lambda: view_of_one(scene, view), same=same)
+
+
+def tiles():
+    """A wall of screens: all ranks draw the tile of each rank, which keeps it."""
+    scene = tangle()
+    view = view_of_ranks(scene)
+    one = view_of_one(scene, view)
+
+    def draw(view, tile):
+        view.window.SetTileScale(ranks, 1)
+        view.window.SetTileViewport(tile / ranks, 0, (tile + 1) / ranks, 1)
+        return view.picture()
+
+    pictures = []
+    for tile in range(ranks):
+        view.method.SetPictureRank(tile)
+        pictures.append(draw(view, tile))
+    same = [bool((pictures[rank] == draw(one, rank)).all())]
+    view.method.SetPictureRank(0)
+    draw(view, 0)
+    draw(one, 0)
+    return found(view, lambda: one, same=same)
 
 
 def splats_of():
@@ -529,6 +551,7 @@ CASES = {
     "viewport": viewport,
     "floats": floats,
     "all-ranks": all_ranks,
+    "tiles": tiles,
     "splats": splats,
     "splats-expected": lambda: splats(2),
     "drift": drift,
