@@ -385,10 +385,10 @@ def features_of(views):
     cut.renderer.AddCuller(vitrine.vtkHierarchicalSBufferCuller())
 
 
-def views_beside(make):
+def views_beside(make, samples):
     """Two renderers of one window."""
-    first = View(method=make(), viewport=(0, 0, 0.55, 1))
-    return [first, View(method=make(), viewport=(0.45, 0.1, 1, 0.9), window=first.window)]
+    first = View(method=make(), viewport=(0, 0, 0.55, 1), samples=samples)
+    return [first, View(method=make(), viewport=(0.45, 0.1, 1, 0.9), window=first.window, samples=samples)]
 
 
 def picker_of(view, hidden, controller_of_picker=None):
@@ -413,9 +413,9 @@ def layers_of(view, *options):
     return good, [vtk_to_numpy(array).copy() for array in arrays], of_ranks, np.array(owned)
 
 
-def features():
+def features(samples=0):
     """Two renderers of one window with what else a renderer can have, and the layers of pixels."""
-    views = views_beside(method_of_ranks)
+    views = views_beside(method_of_ranks, samples)
     features_of(views)
     for view in views:
         view.method.ResetCamera(view.renderer)
@@ -429,7 +429,7 @@ def features():
             camera.SetEyePosition([0.5, 0.2, 6])
             camera.SetUseOffAxisProjection(view is views[0])
         view.method.SynchronizeCamera(view.renderer)
-    one = views_beside(vitrine.vtkPrefixSumTransparencyPass)
+    one = views_beside(vitrine.vtkPrefixSumTransparencyPass, samples)
     features_of(one)
     for view, other in zip(views, one):
         other.renderer.SetActiveCamera(view.renderer.GetActiveCamera())
@@ -545,6 +545,7 @@ CASES = {
     "samples-8": lambda: multisampled(8),
     "samples-viewport": lambda: multisampled(4, viewport=(0.1, 0.2, 0.7, 0.9)),
     "samples-parallel": parallel,
+    "samples-features": lambda: features(4),
     "moving": moving,
     "empty": empty,
     "nothing": nothing,

@@ -19,7 +19,7 @@ EXACT = (
     *("compact", "eight-bit", "bands", "moving", "empty", "nothing", "viewport", "floats", "all-ranks", "splats"),
     *("splats-expected", "drift", "forced", "features"),
     *("samples-2", "samples-4", "samples-4-ghosts", "samples-8", "samples-viewport", "samples-parallel"),
-    *("samples-bands", "tiles"),
+    *("samples-bands", "samples-features", "tiles"),
 )
 REFUSED = {
     "sizes": "draws 100 x 80 pixels and rank 0 160 x 120 pixels; give all windows one size",

@@ -71,7 +71,7 @@ public:
     {
       const std::uint64_t stored = StoredColor(f.Rgba[0], f.Rgba[1], f.Rgba[2], f.Rgba[3]);
       return std::make_tuple(ColorOrder(stored), FloatOrder(f.Rgba[2]), FloatOrder(f.Rgba[1]),
-        FloatOrder(f.Rgba[0]), f.Part);
+        FloatOrder(f.Rgba[0]), f.Part, f.Coverage);
     };
     return colorOf(a) < colorOf(b);
   }
