@@ -267,4 +267,5 @@ def main(plugin, folder, *names):
             print(json.dumps({"scene": name} | draw(name, fill, folder)), flush=True)
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])
