@@ -19,9 +19,9 @@ from pictures import difference, read  # noqa: E402
 MPI = ["mpirun", "--allow-run-as-root", "--oversubscribe", "-np"]
 OFFSCREEN = "--force-offscreen-rendering"
 REFUSED = {  # on several ranks, with these words
-    "caps of divided parts": "parts that the section cuts are not closed on their ranks",
+    "caps of divided parts": "parts that the section cuts are divided among ranks",
     "volume": "Vitrine does not draw volumes on several ranks",
-    "ambient occlusion": "ambient occlusion and shadows see the geometry of one rank alone"}
+    "ambient occlusion": "Vitrine does not draw ambient occlusion on several ranks"}
 
 
 def free_port():

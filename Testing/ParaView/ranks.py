@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 from paraview.simple import (
-    AddLight, ColorBy, Contour, CreateView, GroupDatasets, LoadPlugin, ProgrammableSource, QuerySelect, Render,
+    AddLight, ColorBy, Contour, CreateView, GroupDatasets, LoadPlugin, Plane, ProgrammableSource, QuerySelect, Render,
     ResetCamera, Show, Text, Wavelet)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -106,6 +106,17 @@ def spheres(view, opacity=0.3, keeps="divided", numbers=range(8)):
 @scene
 def glass(view):
     spheres(view)
+
+
+@scene
+def camera_that_turned(view):
+    """The view up vector is of length 1 but for its last bits."""
+    spheres(view)
+    ResetCamera(view)
+    camera = view.GetActiveCamera()
+    for angle in (31, 17, 12):
+        camera.Azimuth(angle)
+        camera.Elevation(angle)
 
 
 @scene
@@ -222,6 +233,27 @@ def volume(view):
 
 
 @scene
+def tone_mapping_and_smoothing(view):
+    view.UseToneMapping = view.UseFXAA = 1
+    spheres(view, numbers=range(4))
+
+
+@scene
+def text_in_space(view):
+    shown = Show(Text(Text="a part"), view, "TextSourceRepresentation")
+    shown.TextPropMode, shown.BillboardPosition = "Billboard 3D Text", [0, 0, 1.5]
+    shown.Opacity, shown.FontSize = 0.5, 40
+    spheres(view, numbers=range(3))
+
+
+@scene
+def section_of_open_parts(view):
+    settings(view, SectionPlane=1, SectionNormal=[0.1, 0.3, -1])
+    show(Plane(), view)
+    sphere(view, 1, 0.5).SetRepresentationType("Wireframe")
+
+
+@scene
 def ambient_occlusion(view):
     view.UseAmbientOcclusion = 1
     spheres(view, numbers=range(2))
@@ -246,7 +278,8 @@ def draw(name, fill, folder):
     view.ViewSize = SIZE
     view.UseFXAA = 0
     options = fill(view) or {}
-    ResetCamera(view)
+    if fill is not camera_that_turned:
+        ResetCamera(view)
     view.LayersPixel = [120, 100]
     Render(view)
     picture(view, folder / f"{name.replace(' ', '-')}.png", **options)

@@ -188,7 +188,11 @@ def moving():
     scene = tangle()
     view = view_of_ranks(scene)
     view.picture()
-    view.renderer.GetActiveCamera().Zoom(3)
+    camera = view.renderer.GetActiveCamera()
+    camera.Zoom(3)
+    if rank == 0:
+        camera.Azimuth(31)
+        camera.Elevation(17)
     view.method.SynchronizeCamera(view.renderer)
     return found(view, lambda: view_of_one(scene, view))
 

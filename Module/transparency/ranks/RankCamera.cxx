@@ -59,9 +59,12 @@ CameraState StateOf(vtkCamera* camera)
 // VTK takes the eye's position as an array that is not constant.
 void Apply(CameraState& state, vtkCamera* camera)
 {
-  camera->SetPosition(state.Position);
   camera->SetFocalPoint(state.FocalPoint);
   camera->SetViewUp(state.ViewUp);
+  // vtkCamera::Elevation() leaves a view that does not follow from these to the last bit. A move computes it.
+  const double* const position = state.Position;
+  camera->SetPosition(position[0], position[1], position[2] + 1.0);
+  camera->SetPosition(position);
   camera->SetViewAngle(state.ViewAngle);
   camera->SetParallelScale(state.ParallelScale);
   camera->SetClippingRange(state.ClippingRange[0], state.ClippingRange[1]);

@@ -4,7 +4,9 @@
 #include "vtkMultiProcessStream.h"
 #include "vtkPVSession.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 
 namespace vitrine
 {
@@ -19,9 +21,13 @@ void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
 {
   stream << answers.Reason << static_cast<vtkTypeInt64>(answers.Fragments)
          << static_cast<vtkTypeInt64>(answers.MostLayers) << answers.CullingReason
-         << static_cast<vtkTypeInt64>(answers.CulledParts)
-         << static_cast<vtkTypeInt64>(answers.OpenCutParts) << answers.LayersProblem
+         << static_cast<vtkTypeInt64>(answers.CulledParts) << answers.LayersProblem
+         << static_cast<unsigned int>(answers.OpenParts.size())
          << static_cast<unsigned int>(answers.Layers.size());
+  for (const auto& [representation, block] : answers.OpenParts)
+  {
+    stream << representation << block;
+  }
   for (const LayerOfPixel& layer : answers.Layers)
   {
     stream << layer.Rank << layer.Representation << layer.Block << layer.Depth << layer.Distance
@@ -32,14 +38,18 @@ void Write(vtkMultiProcessStream& stream, const FrameAnswers& answers)
 FrameAnswers Read(vtkMultiProcessStream& stream)
 {
   FrameAnswers answers;
-  vtkTypeInt64 fragments = 0, layers = 0, culled = 0, open = 0;
-  unsigned int count = 0;
-  stream >> answers.Reason >> fragments >> layers >> answers.CullingReason >> culled >> open >>
-    answers.LayersProblem >> count;
+  vtkTypeInt64 fragments = 0, layers = 0, culled = 0;
+  unsigned int open = 0, count = 0;
+  stream >> answers.Reason >> fragments >> layers >> answers.CullingReason >> culled >>
+    answers.LayersProblem >> open >> count;
   answers.Fragments = static_cast<vtkIdType>(fragments);
   answers.MostLayers = static_cast<vtkIdType>(layers);
   answers.CulledParts = static_cast<vtkIdType>(culled);
-  answers.OpenCutParts = static_cast<vtkIdType>(open);
+  answers.OpenParts.resize(open);
+  for (auto& [representation, block] : answers.OpenParts)
+  {
+    stream >> representation >> block;
+  }
   answers.Layers.resize(count);
   for (LayerOfPixel& layer : answers.Layers)
   {
@@ -57,12 +67,16 @@ void FrameAnswers::Gather(vtkMultiProcessController* ranks)
   Write(own, *this);
   std::vector<vtkMultiProcessStream> all;
   ranks->Gather(own, all, 0);
-  for (std::size_t rank = 1; rank < all.size(); ++rank)
+  std::map<std::pair<unsigned int, unsigned int>, int> ranksOfParts;
+  for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
     const FrameAnswers told = Read(all[rank]);
-    this->CulledParts += told.CulledParts;
-    this->OpenCutParts += told.OpenCutParts;
-    for (std::size_t i = 0; i < this->Layers.size(); ++i)
+    for (const auto& part : told.OpenParts)
+    {
+      this->DividedParts += ++ranksOfParts[part] == 2 ? 1 : 0;
+    }
+    this->CulledParts += rank > 0 ? told.CulledParts : 0;
+    for (std::size_t i = 0; i < std::min(this->Layers.size(), told.Layers.size()); ++i)
     {
       if (this->Layers[i].Rank == static_cast<int>(rank))
       {

@@ -5,6 +5,7 @@
 #include "vtkType.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkMultiProcessController;
@@ -31,13 +32,14 @@ struct FrameAnswers
   vtkIdType MostLayers = 0;
   std::string CullingReason; ///< why less was left out than all that is hidden, or empty
   vtkIdType CulledParts = 0;
-  vtkIdType OpenCutParts =
-    0; ///< parts that a section with caps cuts and that are not closed on their rank
-  std::string LayersProblem; ///< why the layers cannot be told, or empty
+  /** The representations and blocks that a section with caps cuts and that are not closed in this process. */
+  std::vector<std::pair<unsigned int, unsigned int>> OpenParts;
+  vtkIdType DividedParts = 0; ///< open parts that several ranks have
+  std::string LayersProblem;  ///< why the layers cannot be told, or empty
   std::vector<LayerOfPixel> Layers;
 
   /**
-   * Gives rank 0 the names of layers of other ranks, and the sums of parts that are left out, and that are open. All
+   * Gives rank 0 the names of layers of other ranks, and the numbers of parts that are left out, and divided. All
    * ranks have the same layers, and know the names of their own. All ranks of the controller call this.
    */
   void Gather(vtkMultiProcessController* ranks);

@@ -93,6 +93,12 @@ void LayersUnderPixel::Note(vtkPVDataRepresentation* representation, vtkRenderer
   }
 }
 
+unsigned int LayersUnderPixel::RepresentationOf(vtkProp* prop) const
+{
+  const auto shown = this->Props.find(prop);
+  return shown != this->Props.end() && shown->second.Prop ? shown->second.Representation : 0;
+}
+
 void LayersUnderPixel::Find(
   vtkRenderer* renderer, vtkMultiProcessController* ranks, FrameAnswers& answers)
 {
@@ -111,11 +117,9 @@ void LayersUnderPixel::Find(
   for (vtkIdType i = 0; i < this->Picker->GetNumberOfLayers(); ++i)
   {
     vtkProp* const prop = this->Picker->GetProp(i);
-    const auto shown = this->Props.find(prop);
     LayerOfPixel layer;
     layer.Rank = this->Picker->GetRank(i);
-    layer.Representation =
-      shown != this->Props.end() && shown->second.Prop ? shown->second.Representation : 0;
+    layer.Representation = this->RepresentationOf(prop);
     layer.Block = NameOfBlock(prop, this->Picker->GetBlock(i));
     layer.Depth = this->Picker->GetWindowDepth(i);
     layer.Distance = this->Picker->GetDistance(i);

@@ -28,6 +28,9 @@ public:
   /** Notes that a representation has added the props of the renderer that are new. */
   void Note(vtkPVDataRepresentation* representation, vtkRenderer* renderer);
 
+  /** Returns the unique identifier of the representation that shows a prop, or 0. */
+  unsigned int RepresentationOf(vtkProp* prop) const;
+
   /**
    * Fills in the layers of the last frame, or the reason why they cannot be told. With several `ranks` all call this.
    * Those of other ranks have no names then.

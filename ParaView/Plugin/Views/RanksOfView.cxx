@@ -1,7 +1,11 @@
 #include "RanksOfView.h"
 
+#include "vtkBillboardTextActor3D.h"
+#include "vtkCamera.h"
 #include "vtkCollection.h"
 #include "vtkCompositedSynchronizedRenderers.h"
+#include "vtkFlagpoleLabel.h"
+#include "vtkFloatArray.h"
 #include "vtkImageProcessingPass.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
@@ -9,8 +13,8 @@
 #include "vtkPVSession.h"
 #include "vtkProcessModule.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderState.h"
 #include "vtkTreeCompositer.h"
-#include "vtkVolume.h"
 
 namespace vitrine
 {
@@ -26,6 +30,7 @@ public:
   vtkTypeMacro(PictureOfRanks, vtkTreeCompositer);
 
   vtkDistributedTransparencyPass* Transparency = nullptr;
+  vtkSmartPointer<vtkFloatArray> Depths; ///< of the last frame
 
   void CompositeBuffer(vtkDataArray* colors, vtkFloatArray* depths, vtkDataArray* otherColors,
     vtkFloatArray* otherDepths) override
@@ -35,6 +40,7 @@ public:
     {
       this->Superclass::CompositeBuffer(colors, depths, otherColors, otherDepths);
     }
+    this->Depths = depths;
   }
 
 protected:
@@ -42,6 +48,58 @@ protected:
 };
 
 vtkStandardNewMacro(PictureOfRanks);
+
+PictureOfRanks* PictureOf(vtkPVSynchronizedRenderer* synchronizer)
+{
+  auto* const compositing =
+    vtkCompositedSynchronizedRenderers::SafeDownCast(synchronizer->GetParallelSynchronizer());
+  return PictureOfRanks::SafeDownCast(compositing->GetCompositer());
+}
+
+/**
+ * Draws by another pass after the ranks have agreed on the camera. ParaView sends position and view up of rank 0. The
+ * others normalize the latter once more, and vtkCamera::Elevation() leaves a view that does not follow from both to the
+ * last bit.
+ */
+class SameCamera : public vtkRenderPass
+{
+public:
+  static SameCamera* New();
+  vtkTypeMacro(SameCamera, vtkRenderPass);
+
+  vtkSmartPointer<vtkRenderPass> Frame;
+  vtkSmartPointer<vtkMultiProcessController> Ranks;
+
+  void Render(const vtkRenderState* s) override
+  {
+    vtkCamera* const camera = s->GetRenderer()->GetActiveCamera();
+    double up[3], position[3];
+    camera->GetViewUp(up);
+    this->Ranks->Broadcast(up, 3, 0);
+    camera->SetViewUp(up);
+    camera->GetPosition(position);
+    camera->SetPosition(position[0], position[1], position[2] + 1.0);
+    camera->SetPosition(position); // computes the view
+    this->Frame->Render(s);
+    this->NumberOfRenderedProps = this->Frame->GetNumberOfRenderedProps();
+  }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override
+  {
+    this->Frame->ReleaseGraphicsResources(window);
+  }
+
+protected:
+  SameCamera() = default;
+};
+
+vtkStandardNewMacro(SameCamera);
+
+/** Returns true if ranks show a prop alike, so that one must draw it. Others show the data that a rank has. */
+bool IsCommon(vtkProp* prop)
+{
+  return vtkBillboardTextActor3D::SafeDownCast(prop) || vtkFlagpoleLabel::SafeDownCast(prop);
+}
 
 }
 
@@ -51,7 +109,10 @@ RanksOfView::RanksOfView(vtkPVSession* session, vtkRenderPass* frame)
   this->Together->SetDisableIceT(true);
   this->Together->Initialize(session);
   this->Together->SetEnabled(false);
-  this->Together->SetRenderPass(frame);
+  vtkNew<SameCamera> camera;
+  camera->Frame = frame;
+  camera->Ranks = this->Transparency->GetController();
+  this->Together->SetRenderPass(camera);
   auto* const compositing =
     vtkCompositedSynchronizedRenderers::SafeDownCast(this->Together->GetParallelSynchronizer());
   vtkNew<PictureOfRanks> picture;
@@ -62,30 +123,39 @@ RanksOfView::RanksOfView(vtkPVSession* session, vtkRenderPass* frame)
     vtkProcessModule::GetProcessType() != vtkProcessModule::PROCESS_BATCH);
 }
 
-int RanksOfView::Count()
+bool RanksOfView::Draw(vtkPVSynchronizedRenderer* synchronizer)
 {
-  return vtkProcessModule::GetProcessModule()->GetNumberOfLocalPartitions();
+  return synchronizer->GetParallelSynchronizer() &&
+    vtkProcessModule::GetProcessModule()->GetNumberOfLocalPartitions() > 1;
 }
 
-std::string RanksOfView::FindHindrance(vtkRenderer* renderer)
+vtkFloatArray* RanksOfView::Depths()
 {
-  vtkPropCollection* const props = renderer->GetViewProps();
-  vtkCollectionSimpleIterator place;
-  props->InitTraversal(place);
-  while (vtkProp* const prop = props->GetNextProp(place))
-  {
-    if (prop->GetVisibility() && vtkVolume::SafeDownCast(prop))
-    {
-      return "Vitrine does not draw volumes on several ranks, so ParaView itself draws this view. "
-             "Hide the volumes, or start the server or pvbatch with one rank";
-    }
-  }
-  return {};
+  return PictureOf(this->Together)->Depths;
 }
 
 void RanksOfView::ConfigureCompressor(const char* configuration)
 {
   this->Together->ConfigureCompressor(configuration);
+}
+
+void RanksOfView::PrepareToDraw(vtkRenderer* renderer)
+{
+  if (this->Transparency->GetController()->GetLocalProcessId() == 0)
+  {
+    return;
+  }
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator place;
+  props->InitTraversal(place);
+  while (vtkProp* const prop = props->GetNextProp(place))
+  {
+    if (IsCommon(prop) && prop->GetVisibility())
+    {
+      prop->SetVisibility(false);
+      this->Hidden.emplace_back(prop);
+    }
+  }
 }
 
 RanksOfView::Frame::Frame(
@@ -112,6 +182,11 @@ RanksOfView::Frame::~Frame()
   this->Own->SetImageProcessingPass(processing);
   this->Renderer->SetPass(this->OwnPass);
   this->Synchronizer = this->Own;
+  for (vtkProp* const prop : this->Ranks.Hidden)
+  {
+    prop->SetVisibility(true);
+  }
+  this->Ranks.Hidden.clear();
 }
 
 }

@@ -5,11 +5,13 @@
 #include "vtkDistributedTransparencyPass.h"
 #include "vtkNew.h"
 #include "vtkPVSynchronizedRenderer.h"
+#include "vtkProp.h"
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
-#include <string>
+#include <vector>
 
+class vtkFloatArray;
 class vtkPVSession;
 class vtkRenderer;
 
@@ -27,17 +29,23 @@ public:
   /** The session is that of the view, and `frame` draws its frames. */
   RanksOfView(vtkPVSession* session, vtkRenderPass* frame);
 
-  /** Returns the number of ranks that this process belongs to. */
-  static int Count();
-
-  /** Returns why ranks cannot draw the renderer's props together, the same on all. It is empty if they can. */
-  static std::string FindHindrance(vtkRenderer* renderer);
+  /** Returns true if a view with this synchronizer of ParaView is drawn by several ranks of this process. */
+  static bool Draw(vtkPVSynchronizedRenderer* synchronizer);
 
   /** Returns the translucent pass of frames that all ranks draw. */
   vtkDistributedTransparencyPass* Pass() { return this->Transparency; }
 
+  /** Returns the depths of the last frame that ranks drew, by rows from the bottom. Null before the first. */
+  vtkFloatArray* Depths();
+
   /** Set how pictures are compressed on the way to the client. */
   void ConfigureCompressor(const char* configuration);
+
+  /**
+   * Called within a Frame before the renderer draws. On ranks but 0 hides props that all ranks show alike until the
+   * frame ends.
+   */
+  void PrepareToDraw(vtkRenderer* renderer);
 
   /** As long as it lives, ranks draw the renderer's frames together, by a synchronizer in place of ParaView's. */
   class Frame
@@ -59,6 +67,7 @@ public:
 private:
   vtkNew<vtkDistributedTransparencyPass> Transparency;
   vtkNew<vtkPVSynchronizedRenderer> Together;
+  std::vector<vtkSmartPointer<vtkProp>> Hidden; ///< on this rank, in this frame
 };
 
 }

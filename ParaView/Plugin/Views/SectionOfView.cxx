@@ -1,27 +1,63 @@
 #include "SectionOfView.h"
 
-#include "vtkBoundingBox.h"
+#include "vtkActor.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 
 namespace vitrine
 {
 
-void SectionOfView::SetSceneBounds(const vtkBoundingBox& bounds)
+namespace
 {
-  double b[6];
-  bounds.GetBounds(b);
-  this->Section->SetSceneBounds(b[0], b[1], b[2], b[3], b[4], b[5]);
+
+bool HasFaces(vtkDataObject* data)
+{
+  if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> at;
+    at.TakeReference(blocks->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    {
+      if (HasFaces(at->GetCurrentDataObject()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  auto* const faces = vtkPolyData::SafeDownCast(data);
+  return faces && faces->GetNumberOfPolys() + faces->GetNumberOfStrips() > 0;
 }
 
-int SectionOfView::CountOpenParts() const
+bool HasFaces(vtkActor* actor)
 {
-  int count = 0;
-  const bool haveCaps = this->Section->GetRenderer() && this->Section->GetCaps();
-  for (int i = 0; haveCaps && i < this->Section->GetNumberOfCutParts(); ++i)
+  vtkMapper* const mapper = actor->GetMapper();
+  return actor->GetProperty()->GetRepresentation() == VTK_SURFACE && mapper &&
+    mapper->GetNumberOfInputConnections(0) > 0 && HasFaces(mapper->GetInputDataObject(0, 0));
+}
+}
+
+std::vector<std::pair<vtkActor*, int>> SectionOfView::FindOpenParts() const
+{
+  std::vector<std::pair<vtkActor*, int>> parts;
+  if (!this->Section->GetRenderer() || !this->Section->GetCaps())
   {
-    count += this->Section->IsCutPartClosed(i) ? 0 : 1;
+    return parts;
   }
-  return count;
+  const int count = this->Section->GetNumberOfCutParts();
+  for (int i = 0; i < count; ++i)
+  {
+    auto* const actor = vtkActor::SafeDownCast(this->Section->GetCutProp(i));
+    if (actor && !this->Section->IsCutPartClosed(i) && HasFaces(actor))
+    {
+      parts.emplace_back(actor, this->Section->GetCutBlock(i));
+    }
+  }
+  return parts;
 }
 
 void SectionOfView::Update(vtkRenderer* renderer)

@@ -8,9 +8,10 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <utility>
 #include <vector>
 
-class vtkBoundingBox;
+class vtkActor;
 class vtkRenderer;
 
 namespace vitrine
@@ -38,11 +39,8 @@ public:
   std::array<double, 6> Bounds{ 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 };
   vtkNew<vtkSection> Section;
 
-  /** Set the bounds of what the view shows on all ranks, which then cut alike. */
-  void SetSceneBounds(const vtkBoundingBox& bounds);
-
-  /** Returns how many parts the last frame cut that are to have caps, and are not closed in this process. */
-  int CountOpenParts() const;
+  /** Returns the props and blocks with faces that are cut, are to have caps, and are not closed in this process. */
+  std::vector<std::pair<vtkActor*, int>> FindOpenParts() const;
 
   /** Gives the planes and the box to the section, which is attached to the renderer where there are any. */
   void Update(vtkRenderer* renderer);

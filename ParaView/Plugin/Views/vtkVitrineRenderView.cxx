@@ -7,6 +7,7 @@
 
 #include "vtkABufferTransparencyPass.h"
 #include "vtkClusteredLightsPass.h"
+#include "vtkCompositeRepresentation.h"
 #include "vtkCullerCollection.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorBudgetTransparencyPass.h"
@@ -40,6 +41,18 @@ std::string FindHindrance(bool tiles, bool cave)
       ", so ParaView itself draws this view";
   }
   return {};
+}
+
+/** Returns true if a visible representation shows a volume, or the one that is chosen among several does. */
+bool IsVolume(vtkDataRepresentation* representation)
+{
+  auto* shown = vtkPVDataRepresentation::SafeDownCast(representation);
+  if (auto* const several = vtkCompositeRepresentation::SafeDownCast(shown))
+  {
+    shown = several->GetActiveRepresentation();
+  }
+  return shown && shown->GetVisibility() &&
+    std::string(shown->GetClassName()).find("Volume") != std::string::npos;
 }
 }
 
@@ -110,14 +123,17 @@ struct vtkVitrineRenderView::Internals
   /** Adds what other ranks tell. A part that is divided among ranks is open on each, and then has no right cap. */
   void TakeAnswersOf(vtkMultiProcessController* ranks, vitrine::FrameAnswers& answers)
   {
-    answers.OpenCutParts = this->Section.CountOpenParts();
-    answers.Gather(ranks);
-    if (answers.OpenCutParts > 0 && answers.Reason.empty())
+    for (const auto& [actor, block] : this->Section.FindOpenParts())
     {
-      answers.Reason = std::to_string(answers.OpenCutParts) +
-        " parts that the section cuts are not closed on their ranks, so their caps may be "
-        "incomplete; "
-        "set SectionCaps to 0";
+      answers.OpenParts.emplace_back(this->Layers.RepresentationOf(actor), block);
+    }
+    answers.Gather(ranks);
+    if (answers.DividedParts > 0 && answers.Reason.empty())
+    {
+      answers.Reason =
+        "caps may be incomplete, since parts that the section cuts are divided among "
+        "ranks and not closed on each (" +
+        std::to_string(answers.DividedParts) + " of them); set SectionCaps to 0";
     }
   }
 
@@ -163,7 +179,7 @@ vtkVitrineRenderView::vtkVitrineRenderView()
   Internals& in = *this->Private;
   in.Hindrance = FindHindrance(this->InTileDisplayMode(), this->InCaveDisplayMode());
   in.Method = vtkTransparencyPass::SafeDownCast(in.Frame->GetTranslucentPass());
-  if (in.Hindrance.empty() && vitrine::RanksOfView::Count() > 1)
+  if (in.Hindrance.empty() && vitrine::RanksOfView::Draw(this->SynchronizedRenderers))
   {
     in.Ranks.emplace(this->GetSession(), in.Frame);
     in.Frame->SetTranslucentPass(in.Ranks->Pass());
@@ -474,27 +490,42 @@ void vtkVitrineRenderView::AboutToRenderOnLocalProcess(bool interactive)
 {
   this->Superclass::AboutToRenderOnLocalProcess(interactive);
   Internals& in = *this->Private;
-  if (!in.Reason.empty() && in.Reason != in.Told)
+  const bool isFirst = !in.Ranks || in.Ranks->Pass()->GetController()->GetLocalProcessId() == 0;
+  if (isFirst && !in.Reason.empty() && in.Reason != in.Told)
   {
     vtkErrorMacro(<< in.Reason);
   }
   in.Told = in.Reason;
+  if (!in.Reason.empty() || this->GetMakingSelection())
+  {
+    return;
+  }
+  if (this->SynchronizedRenderers->GetImageProcessingPass())
+  {
+    this->GetRenderer()->SetUseFXAA(
+      false); // ParaView adds a pass that smooths the processed picture
+  }
+  if (in.Ranks)
+  {
+    in.Ranks->PrepareToDraw(this->GetRenderer());
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::Render(bool interactive, bool skipRendering)
 {
+  Internals& in = *this->Private;
+  if (this->GetMakingSelection() && in.Ranks)
+  {
+    this->RenderInNoOrder(interactive, skipRendering);
+    return;
+  }
   if (skipRendering || this->GetMakingSelection())
   {
     this->Superclass::Render(interactive, skipRendering);
     return;
   }
-  const bool isRemote = interactive && this->GetUseLODForInteractiveRender()
-    ? this->GetUseDistributedRenderingForLODRender()
-    : this->GetUseDistributedRenderingForRender();
-  Internals& in = *this->Private;
-  in.Section.SetSceneBounds(this->GeometryBounds); // those of all ranks
-  in.Reason = in.Ranks ? this->FindHindranceOfRanks(isRemote) : in.Hindrance;
+  in.Reason = in.Ranks ? this->FindHindranceOfRanks(interactive) : in.Hindrance;
   if (in.Ranks && in.Reason.empty())
   {
     this->RenderTogether(interactive);
@@ -504,39 +535,85 @@ void vtkVitrineRenderView::Render(bool interactive, bool skipRendering)
     this->Superclass::Render(interactive, skipRendering);
   }
   in.Answers = in.AnswersOf(this->GetRenderer());
-  if (isRemote)
+  if (this->IsDistributed(
+        interactive)) // which a client of several may have told while the frame was drawn
   {
     in.Answers.Exchange(this->GetSession());
   }
 }
 
 //------------------------------------------------------------------------------
-// Returns why the ranks cannot draw this frame together, the same on all of them.
-std::string vtkVitrineRenderView::FindHindranceOfRanks(bool isDistributed)
+// Returns whether a server, or all ranks of pvbatch, draw the view.
+bool vtkVitrineRenderView::IsDistributed(bool interactive)
 {
-  if (!isDistributed)
-  {
-    return "ParaView draws this view on one of several ranks";
-  }
-  if (this->GetEnableOSPRay())
-  {
-    return "ParaView draws this view by ray tracing";
-  }
-  return vitrine::RanksOfView::FindHindrance(this->GetRenderer());
+  return interactive && this->GetUseLODForInteractiveRender()
+    ? this->GetUseDistributedRenderingForLODRender()
+    : this->GetUseDistributedRenderingForRender();
 }
 
 //------------------------------------------------------------------------------
-// Draws a frame on all ranks. No geometry is moved for an order of ranks.
+// Returns why the ranks cannot draw this frame together, the same on all of them.
+std::string vtkVitrineRenderView::FindHindranceOfRanks(bool interactive)
+{
+  if (!this->IsDistributed(interactive))
+  {
+    return "ParaView draws this view on one of several ranks";
+  }
+  if (this->SynchronizedRenderers->GetRenderPass())
+  {
+    return "ParaView draws this view by ray tracing, or captures values";
+  }
+  if (this->UseSSAO)
+  {
+    return "Vitrine does not draw ambient occlusion on several ranks, so ParaView itself draws "
+           "this "
+           "view. Set UseAmbientOcclusion to 0, or start the server or pvbatch with one rank";
+  }
+  for (int i = 0; i < this->GetNumberOfRepresentations(); ++i)
+  {
+    if (IsVolume(this->GetRepresentation(i)))
+    {
+      return "Vitrine does not draw volumes on several ranks, so ParaView itself draws this view. "
+             "Hide the volumes, or start the server or pvbatch with one rank";
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+// Draws a frame on all ranks.
 void vtkVitrineRenderView::RenderTogether(bool interactive)
+{
+  const vitrine::RanksOfView::Frame frame(
+    *this->Private->Ranks, this->GetRenderer(), this->SynchronizedRenderers);
+  this->RenderInNoOrder(interactive, false);
+}
+
+//------------------------------------------------------------------------------
+// Draws a frame for which ranks need no order, so that no geometry is moved. Selections need none either.
+void vtkVitrineRenderView::RenderInNoOrder(bool interactive, bool skipRendering)
 {
   const bool needsOrder = this->NeedsOrderedCompositing;
   this->NeedsOrderedCompositing = false;
-  {
-    const vitrine::RanksOfView::Frame frame(
-      *this->Private->Ranks, this->GetRenderer(), this->SynchronizedRenderers);
-    this->Superclass::Render(interactive, false);
-  }
+  this->Superclass::Render(interactive, skipRendering);
   this->NeedsOrderedCompositing = needsOrder;
+}
+
+//------------------------------------------------------------------------------
+void vtkVitrineRenderView::CaptureZBuffer()
+{
+  if (!this->Private->Ranks || !this->Private->Reason.empty())
+  {
+    this->Superclass::CaptureZBuffer();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkFloatArray* vtkVitrineRenderView::GetCapturedZBuffer()
+{
+  Internals& in = *this->Private;
+  return in.Ranks && in.Reason.empty() ? in.Ranks->Depths()
+                                       : this->Superclass::GetCapturedZBuffer();
 }
 
 //------------------------------------------------------------------------------

@@ -27,6 +27,7 @@
 #include <string> // for names
 
 class vtkDoubleArray;
+class vtkFloatArray;
 class vtkStringArray;
 
 class VTKVITRINEPARAVIEWVIEWS_EXPORT vtkVitrineRenderView : public vtkPVRenderView
@@ -157,6 +158,15 @@ public:
    */
   void SetMaximumNumberOfPeels(int peels) override;
 
+  ///@{
+  /**
+   * Capture the depths of the last frame, in [0, 1], by rows from the bottom, as vtkPVRenderView does. On several ranks
+   * they are those of the opaque geometry of all.
+   */
+  void CaptureZBuffer();
+  vtkFloatArray* GetCapturedZBuffer();
+  ///@}
+
   /**
    * Set how a server compresses pictures for its client, as vtkPVRenderView does.
    */
@@ -188,8 +198,10 @@ private:
   vtkVitrineRenderView(const vtkVitrineRenderView&) = delete;
   void operator=(const vtkVitrineRenderView&) = delete;
 
-  std::string FindHindranceOfRanks(bool isDistributed);
+  bool IsDistributed(bool interactive);
+  std::string FindHindranceOfRanks(bool interactive);
   void RenderTogether(bool interactive);
+  void RenderInNoOrder(bool interactive, bool skipRendering);
   void UpdateSection();
   std::string NameOfSource(unsigned int representation);
 
