@@ -483,7 +483,7 @@ std::string vtkDistributedTransparencyPass::JoinLists(
 }
 
 //------------------------------------------------------------------------------
-// Sends the tiles that this rank owns to the rank that wants the picture.
+// Sends the tiles that this rank owns to the rank that wants the picture. Returns why that failed, the same on all.
 std::string vtkDistributedTransparencyPass::SendPicture(
   const vitrine::RenderTarget& target, const std::string& problem)
 {
@@ -495,7 +495,8 @@ std::string vtkDistributedTransparencyPass::SendPicture(
   }
   this->TakeTotals();
   const vitrine::StageTimer::Section section(this->GetStageTimer(), "picture");
-  return r.Picture.Send(r.Exchange, r.Owners, this->GetWindow(), target, this->PictureRank);
+  return r.Exchange.Agree(
+    r.Picture.Send(r.Exchange, r.Owners, this->GetWindow(), target, this->PictureRank));
 }
 
 //------------------------------------------------------------------------------
