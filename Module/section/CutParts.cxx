@@ -35,6 +35,13 @@ bool IsSamePart(const CutPart& a, const CutPart& b)
   return a.Slot == b.Slot && a.Cuts == b.Cuts && a.Masks == b.Masks && a.IsClosed == b.IsClosed;
 }
 
+/** Returns true for mappers that draw the points of data that have no cells: as splats, balls and sticks. */
+bool DrawsPointsWithoutCells(vtkMapper* mapper)
+{
+  return mapper->IsA("vtkPointGaussianMapper") || mapper->IsA("vtkOpenGLSphereMapper") ||
+    mapper->IsA("vtkOpenGLStickMapper");
+}
+
 /** Returns the box in WC of a box in model coordinates. */
 std::pair<glm::dvec3, glm::dvec3> BoxInWorld(const glm::dmat4& toWorld, const double bounds[6])
 {
@@ -119,11 +126,12 @@ void CutParts::Update(vtkRenderer* renderer, const SectionPlanes& planes, const 
   this->ChangeNumber += isSame ? 0 : 1;
 }
 
-/** Adds a part if a plane cuts it and none removes it. Points alone are nothing to cut. */
+/** Adds a part if a plane cuts it and none removes it. Points that are not drawn are nothing to cut. */
 void CutParts::Look(vtkActor* actor, const DrawnData& drawn, const glm::dmat4& toWorld,
   const SectionPlanes& planes, const MasksOf& masksOf)
 {
-  if (drawn.Data && drawn.Data->GetNumberOfCells() == 0)
+  if (drawn.Data && drawn.Data->GetNumberOfCells() == 0 &&
+    !DrawsPointsWithoutCells(actor->GetMapper()))
   {
     return;
   }

@@ -6,6 +6,7 @@
 #include "vtkLayerPicker.h"
 #include "vtkLinkedListTransparencyPass.h"
 #include "vtkPartXRay.h"
+#include "vtkPointGaussianMapper.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -187,7 +188,7 @@ TEST(SectionPicture, HasCapsOfXRaysThatWereAttachedBeforeOrLater)
   }
 }
 
-// A rank has such data of parts whose cells are those of another one.
+// A rank has such data of parts whose cells are those of another one. Splats need no cells.
 TEST(Section, CutsNoPointsWithoutCells)
 {
   SectionScene scene;
@@ -204,6 +205,10 @@ TEST(Section, CutsNoPointsWithoutCells)
   actor->SetMapper(mapper);
   scene.Renderer->AddActor(actor);
   EXPECT_EQ(scene.Section->GetNumberOfCutParts(), parts);
+  vtkNew<vtkPointGaussianMapper> splats;
+  splats->SetInputData(data);
+  actor->SetMapper(splats);
+  EXPECT_EQ(scene.Section->GetNumberOfCutParts(), parts + 1);
 }
 
 // The window may be finalized, and the renderer may go to another window, where names of objects are others'.
