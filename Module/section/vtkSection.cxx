@@ -44,6 +44,12 @@ namespace
 /** Event by which a renderer's observers are asked for the section that is attached to it. */
 constexpr unsigned long AskForSection = vtkCommand::UserEvent + 0x56495453;
 
+bool AreFinite(const std::array<double, 6>& bounds)
+{
+  return std::all_of(
+    bounds.begin(), bounds.end(), [](double bound) { return std::isfinite(bound); });
+}
+
 /** Observes a renderer. The functions may detach the section. */
 class RendererObserver : public vtkCommand
 {
@@ -359,8 +365,8 @@ void vtkSection::SetBox(
   double xmin, double xmax, double ymin, double ymax, double zmin, double zmax, bool keepInside)
 {
   const std::array<double, 6> bounds{ xmin, xmax, ymin, ymax, zmin, zmax };
-  const bool isBox = bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] < bounds[5] &&
-    std::all_of(bounds.begin(), bounds.end(), [](double bound) { return std::isfinite(bound); });
+  const bool isBox =
+    bounds[0] < bounds[1] && bounds[2] < bounds[3] && bounds[4] < bounds[5] && AreFinite(bounds);
   if (!isBox)
   {
     vtkErrorMacro("SetBox() takes xmin < xmax, ymin < ymax, zmin < zmax, which are finite");
@@ -389,7 +395,15 @@ bool vtkSection::HasBox()
 void vtkSection::SetSceneBounds(
   double xmin, double xmax, double ymin, double ymax, double zmin, double zmax)
 {
+  const bool isNone = xmin > xmax;
   const std::array<double, 6> bounds{ xmin, xmax, ymin, ymax, zmin, zmax };
+  const bool areBounds = xmin <= xmax && ymin <= ymax && zmin <= zmax && AreFinite(bounds);
+  if (!isNone && !areBounds)
+  {
+    vtkErrorMacro(
+      "SetSceneBounds() takes finite minima up to finite maxima, or xmin > xmax for none");
+    return;
+  }
   if (bounds != this->Private->SceneBounds)
   {
     this->Private->SceneBounds = bounds;

@@ -1,5 +1,6 @@
 // Sections of a cube, pixel by pixel; and what a section leaves behind, in windows that come and go.
 #include "SectionScene.h"
+#include "TestMessages.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
 #include "vtkIdList.h"
@@ -13,7 +14,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -209,6 +213,34 @@ TEST(Section, CutsNoPointsWithoutCells)
   splats->SetInputData(data);
   actor->SetMapper(splats);
   EXPECT_EQ(scene.Section->GetNumberOfCutParts(), parts + 1);
+}
+
+TEST(Section, TakesNoBoundsOfASceneThatAreNone)
+{
+  const double infinite = std::numeric_limits<double>::infinity();
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  SectionScene scene;
+  const auto boundsAfter = [&](const std::array<double, 6>& b)
+  {
+    scene.Section->SetSceneBounds(b[0], b[1], b[2], b[3], b[4], b[5]);
+    std::array<double, 6> bounds;
+    std::copy_n(scene.Section->GetSceneBounds(), 6, bounds.begin());
+    return bounds;
+  };
+  const std::array<double, 6> flat = { -0.5, 0.5, -0.5, 0.5, 0.25, 0.25 };
+  EXPECT_EQ(boundsAfter(flat), flat);
+  for (const std::array<double, 6>& wrong :
+    { std::array<double, 6>{ none, 1.0, 0.0, 1.0, 0.0, 1.0 }, { 0.0, infinite, 0.0, 1.0, 0.0, 1.0 },
+      { -infinite, 1.0, 0.0, 1.0, 0.0, 1.0 }, { 0.0, 1.0, 5.0, -5.0, 0.0, 1.0 },
+      { 0.0, 1.0, 0.0, 1.0, 1.0, 0.0 }, { 0.0, 1.0, 0.0, 1.0, 0.0, none } })
+  {
+    TakeMessages();
+    EXPECT_EQ(boundsAfter(wrong), flat);
+    EXPECT_EQ(TakeMessages().size(), 1u);
+  }
+  const std::array<double, 6> noBounds = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
+  EXPECT_EQ(boundsAfter(noBounds), noBounds);
+  EXPECT_TRUE(TakeMessages().empty());
 }
 
 // The window may be finalized, and the renderer may go to another window, where names of objects are others'.
