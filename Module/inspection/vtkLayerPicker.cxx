@@ -177,6 +177,8 @@ void vtkLayerPicker::SetController(vtkMultiProcessController* controller)
   this->Private->Ranks.SetController(controller); // which forgets a failure of the same one
   if (isOther)
   {
+    this->Private->Clear();
+    this->MakeArrays();
     this->Modified();
   }
 }

@@ -13,6 +13,7 @@
 #include "vtkCubeSource.h"
 #include "vtkCulledCompositePolyDataMapper.h"
 #include "vtkCullerCollection.h"
+#include "vtkDummyController.h"
 #include "vtkFollower.h"
 #include "vtkHierarchicalSBufferCuller.h"
 #include "vtkIdTypeArray.h"
@@ -444,6 +445,22 @@ TEST(LayersOfAnArea, LeaveTheStateOfOpenGL)
     EXPECT_EQ(StateOfGL(), before);
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
   }
+}
+
+// Parts of layers are told by their ranks, which another controller does not have.
+TEST(LayersOfAnArea, AreGoneAfterAnotherController)
+{
+  TestScene scene(Width, Height);
+  scene.AddParts();
+  scene.Render();
+  vtkNew<vtkLayerPicker> picker;
+  EXPECT_GT(LayersAt(picker, scene.Renderer, Width / 2, Height / 2, true).size(), 0u);
+  picker->SetController(nullptr); // as before
+  EXPECT_GT(picker->GetNumberOfLayers(), 0);
+  vtkNew<vtkDummyController> controller;
+  picker->SetController(controller);
+  EXPECT_EQ(picker->GetNumberOfLayers(), 0);
+  EXPECT_EQ(picker->GetOffsets()->GetNumberOfValues(), 0);
 }
 
 TEST(LayersOfAnArea, AreInRowsOfPixels)
