@@ -27,7 +27,8 @@ constexpr double LossOfSamplers = 1.0 / 8388608.0;
 const char* const NotTold =
   "the driver does not tell the depths of samples to the bit, which ranks "
   "need; call SetMultiSamples(0)";
-constexpr std::uint32_t SignBit = 0x80000000u; // of depths that were not found
+// The bit of the sign, which words of NotFound have. It stands for a depth that is searched.
+constexpr std::uint32_t Unknown = 0x80000000u;
 // From this depth on floats have steps of 2^-24, so that no smaller step of a search changes them.
 constexpr std::uint32_t FirstCoarseDepth = 0x3f100000u; // 0.5625
 constexpr double CoarseStep = 1.0 / 16777216.0;
@@ -37,20 +38,41 @@ std::size_t PixelsOfPlane(const RenderTarget& target)
   return std::size_t(target.Width) * target.Height;
 }
 
-// Returns true if each depth of the region was found, and none is nearer than `nearest`.
-bool AreFound(const RenderTarget& target, const std::uint32_t* depths, std::uint32_t nearest)
+// Returns the rectangle around both.
+PixelRegion BoxOf(const PixelRegion& a, const PixelRegion& b)
 {
-  const PixelRegion& r = target.Region;
-  bool all = true;
-  for (int y = r.Y; y < r.Y + r.Height; ++y)
+  if (a.IsEmpty() || b.IsEmpty())
   {
-    for (int x = r.X; x < r.X + r.Width; ++x)
+    return a.IsEmpty() ? b : a;
+  }
+  const int x = std::min(a.X, b.X);
+  const int y = std::min(a.Y, b.Y);
+  return { x, y, std::max(a.X + a.Width, b.X + b.Width) - x,
+    std::max(a.Y + a.Height, b.Y + b.Height) - y };
+}
+
+// Takes the depths of a region that were found and are not nearer than `nearest`, where none is known. Returns the
+// rectangle of those that stay unknown.
+PixelRegion TakeFound(const PixelRegion& region, int width, const std::uint32_t* found,
+  std::uint32_t nearest, std::uint32_t* depths)
+{
+  PixelRegion unknown;
+  for (int y = region.Y; y < region.Y + region.Height; ++y)
+  {
+    for (int x = region.X; x < region.X + region.Width; ++x)
     {
-      const std::uint32_t depth = depths[std::size_t(y) * target.Width + x];
-      all = all && depth < SignBit && depth >= nearest;
+      const std::size_t pixel = std::size_t(y) * width + x;
+      if (depths[pixel] == Unknown && found[pixel] < Unknown && found[pixel] >= nearest)
+      {
+        depths[pixel] = found[pixel];
+      }
+      if (depths[pixel] == Unknown)
+      {
+        unknown = BoxOf(unknown, { x, y, 1, 1 });
+      }
     }
   }
-  return all;
+  return unknown;
 }
 
 }
@@ -163,61 +185,66 @@ std::string SamplePixels::PrepareSearch(vtkOpenGLRenderWindow* window, const Ren
 }
 
 //------------------------------------------------------------------------------
-// Takes the sampled depths if all of them are those of the samples. Else floats are searched for the others: the search
-// goes up from a depth that is not farther, as long as the depth test finds none nearer. Steps get smaller by half,
-// down to those of the depth buffer. So the last float is the largest that is not farther. If all depths are coarse,
-// the smaller steps change none and are left out. What is found depends on the depth of the sample alone.
+// Takes the sampled depths that are those of the samples. Floats are searched for the others, in their rectangle: the
+// search goes up from a depth that is not farther, as long as the depth test finds none nearer. Steps get smaller by
+// half, down to those of the depth buffer. So the last float is the largest that is not farther. Smaller steps change
+// no coarse depth, so these are taken before. What is found depends on the depth of the sample alone.
 bool SamplePixels::Search(vtkOpenGLRenderWindow* window, const RenderTarget& target, int copy,
   std::vector<std::uint32_t>& words)
 {
   vtkOpenGLState* const state = window->GetState();
+  PixelRegion region = target.Region; // of the depths that are unknown
   const auto compare = [&](double offset, GLenum test)
   {
     const ScopedTextureUnit unit(state, this->Found.Depths.Target(), this->Found.Depths.Handle());
-    this->Compare(window, target, unit.Unit(), offset, test);
+    this->Compare(window, target, region, unit.Unit(), offset, test);
   };
-  this->ClearNext(state);
-  this->Compare(window, target, copy, 0.0, GL_EQUAL);
-  if (this->ReadFound(window, target, 0u, words))
+  words.assign(PixelsOfPlane(target) * target.Samples, Unknown);
+  this->ClearNext(state, region);
+  this->Compare(window, target, region, copy, 0.0, GL_EQUAL);
+  region = this->ReadFound(window, target, region, 0u, words);
+  if (region.IsEmpty())
   {
     return true;
   }
   const double smallest = std::ldexp(1.0, -std::max(target.Depth.DepthBits, 25));
   double step = 2.0 * LossOfSamplers;
-  this->Compare(window, target, copy, -step, GL_ALWAYS);
+  this->Compare(window, target, region, copy, -step, GL_ALWAYS);
   for (const bool isLast : { false, true })
   {
     for (; step >= (isLast ? smallest : CoarseStep); step /= 2.0)
     {
-      this->CopyToNext(state, target);
+      this->CopyToNext(state, region);
       compare(step, GL_LEQUAL);
     }
-    this->ClearNext(state);
+    this->ClearNext(state, region);
     compare(0.0, GL_EQUAL);
-    std::swap(this->Found, this->Next); // to draw over it
-    this->Compare(window, target, copy, 0.0, GL_EQUAL);
-    if (this->ReadFound(window, target, isLast ? 0u : FirstCoarseDepth, words))
+    const PixelRegion left =
+      this->ReadFound(window, target, region, isLast ? 0u : FirstCoarseDepth, words);
+    if (left.IsEmpty())
     {
       return true;
     }
+    region = left;
     std::swap(this->Found, this->Next); // to what was compared
   }
   return false;
 }
 
 //------------------------------------------------------------------------------
-// Returns false, without reading all, if a depth was not found or is nearer than `nearest`.
-bool SamplePixels::ReadFound(vtkOpenGLRenderWindow* window, const RenderTarget& target,
-  std::uint32_t nearest, std::vector<std::uint32_t>& words)
+// Returns the rectangle of the depths that were not found or are nearer than `nearest`.
+PixelRegion SamplePixels::ReadFound(vtkOpenGLRenderWindow* window, const RenderTarget& target,
+  const PixelRegion& region, std::uint32_t nearest, std::vector<std::uint32_t>& words)
 {
-  bool all = true;
-  for (int sample = 0; sample < target.Samples && all; ++sample)
+  PixelRegion unknown;
+  std::vector<std::uint32_t> found(PixelsOfPlane(target));
+  for (int sample = 0; sample < target.Samples; ++sample)
   {
-    std::uint32_t* const depths = &words[sample * PixelsOfPlane(target)];
-    this->Depths.Read(window, target, this->Found.Depths, sample, depths);
-    all = AreFound(target, depths, nearest);
+    this->Depths.Read(window, target, this->Found.Depths, sample, found.data());
+    unknown = BoxOf(unknown,
+      TakeFound(region, target.Width, found.data(), nearest, &words[sample * found.size()]));
   }
-  return all;
+  return unknown;
 }
 
 //------------------------------------------------------------------------------
@@ -228,13 +255,13 @@ vtkShaderProgram* SamplePixels::ReadyCompare(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// Sets the samples of `Next` whose depths pass the test to these depths: those of a texture unit, and an offset. Then
-// they are in `Found`.
-void SamplePixels::Compare(vtkOpenGLRenderWindow* window, const RenderTarget& target, int source,
-  double offset, unsigned int test)
+// Sets the samples of a region of `Next` whose depths pass the test to these depths: those of a texture unit, and an
+// offset. Then they are in `Found`.
+void SamplePixels::Compare(vtkOpenGLRenderWindow* window, const RenderTarget& target,
+  const PixelRegion& region, int source, double offset, unsigned int test)
 {
   vtkOpenGLState* const state = window->GetState();
-  BindForFullScreenDraw(state, this->Next.Target.Handle(), target.Width, target.Height);
+  BindForFullScreenDraw(state, this->Next.Target.Handle(), target.Width, target.Height, region);
   state->vtkglEnable(GL_MULTISAMPLE);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(test);
@@ -248,20 +275,23 @@ void SamplePixels::Compare(vtkOpenGLRenderWindow* window, const RenderTarget& ta
 }
 
 //------------------------------------------------------------------------------
-void SamplePixels::CopyToNext(vtkOpenGLState* state, const RenderTarget& target)
+void SamplePixels::CopyToNext(vtkOpenGLState* state, const PixelRegion& region)
 {
   BindForReading(state, this->Found.Target.Handle());
   BindForDrawing(state, this->Next.Target.Handle());
   state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglBlitFramebuffer(0, 0, target.Width, target.Height, 0, 0, target.Width, target.Height,
+  const int right = region.X + region.Width;
+  const int top = region.Y + region.Height;
+  state->vtkglBlitFramebuffer(region.X, region.Y, right, top, region.X, region.Y, right, top,
     GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 //------------------------------------------------------------------------------
-void SamplePixels::ClearNext(vtkOpenGLState* state)
+void SamplePixels::ClearNext(vtkOpenGLState* state, const PixelRegion& region)
 {
   BindForDrawing(state, this->Next.Target.Handle());
-  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(region.X, region.Y, region.Width, region.Height);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glClearBufferfv(GL_COLOR, 0, NotFound);
 }

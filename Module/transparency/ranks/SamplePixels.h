@@ -2,6 +2,7 @@
 #ifndef VITRINE_TRANSPARENCY_RANKS_SAMPLE_PIXELS_H
 #define VITRINE_TRANSPARENCY_RANKS_SAMPLE_PIXELS_H
 
+#include "Core/geometry/PixelRegion.h"
 #include "gl/BackdropCopy.h"
 #include "gl/DepthCopy.h"
 #include "gl/GLObjects.h"
@@ -57,13 +58,13 @@ private:
   std::string PrepareSearch(vtkOpenGLRenderWindow* window, const RenderTarget& target);
   bool Search(vtkOpenGLRenderWindow* window, const RenderTarget& target, int copy,
     std::vector<std::uint32_t>& words);
-  bool ReadFound(vtkOpenGLRenderWindow* window, const RenderTarget& target, std::uint32_t nearest,
-    std::vector<std::uint32_t>& words);
+  PixelRegion ReadFound(vtkOpenGLRenderWindow* window, const RenderTarget& target,
+    const PixelRegion& region, std::uint32_t nearest, std::vector<std::uint32_t>& words);
   vtkShaderProgram* ReadyCompare(vtkOpenGLRenderWindow* window);
-  void Compare(vtkOpenGLRenderWindow* window, const RenderTarget& target, int source, double offset,
-    unsigned int test);
-  void CopyToNext(vtkOpenGLState* state, const RenderTarget& target);
-  void ClearNext(vtkOpenGLState* state);
+  void Compare(vtkOpenGLRenderWindow* window, const RenderTarget& target, const PixelRegion& region,
+    int source, double offset, unsigned int test);
+  void CopyToNext(vtkOpenGLState* state, const PixelRegion& region);
+  void ClearNext(vtkOpenGLState* state, const PixelRegion& region);
 
   SamplePlane Colors;
   SamplePlane Depths;
