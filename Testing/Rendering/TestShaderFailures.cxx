@@ -3,15 +3,22 @@
 #include "TestMethods.h"
 #include "TestScene.h"
 #include "gl/ProgramCache.h"
+#include "gl/RenderTarget.h"
+#include "gl/ScopedState.h"
 #include "gl/VitrineOpenGL.h"
+#include "transparency/ranks/SamplePixels.h"
 #include "vtkABufferTransparencyPass.h"
 #include "vtkActor.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkStencilRoutedTransparencyPass.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -294,6 +301,32 @@ INSTANTIATE_TEST_SUITE_P(Shaders, SamplesShaderFailures,
   testing::Values(
     "StencilOnly", "StencilRoutedProbe", "StencilRoutedProbeVertex", "StencilRoutedVerdict"),
   [](const auto& info) { return std::string(info.param); });
+
+//------------------------------------------------------------------------------
+// Ranks read the samples of their targets, and tell each other the reason.
+TEST(SamplePixelsShaderFailures, AreSaid)
+{
+  for (const char* const shader : { "SampleRead", "SampleWrite", "SampleDepth" })
+  {
+    SCOPED_TRACE(shader);
+    TestScene scene(8, 8, 4);
+    scene.Render();
+    auto* const window = vtkOpenGLRenderWindow::SafeDownCast(scene.Window);
+    const vitrine::ScopedTrackedState trackedState(window->GetState());
+    const vitrine::ScopedShaderProgram program(window);
+    window->GetRenderFramebuffer()->Bind();
+    vitrine::RenderTarget target;
+    ASSERT_EQ(target.Probe(window, {}), "");
+    ASSERT_EQ(target.Samples, 4);
+    const RejectedShader rejected(shader);
+    vitrine::SamplePixels samples;
+    std::vector<std::uint32_t> words;
+    EXPECT_EQ(samples.ReadDepths(window, target, words), vitrine::ProgramFailure);
+    EXPECT_EQ(RejectedShader::Rejections, 1);
+    EXPECT_FALSE(TakeMessages().empty()); // VTK says what the driver says
+    samples.Release();
+  }
+}
 
 //------------------------------------------------------------------------------
 TEST(ProgramCache, CompilesABrokenProgramOnce)
