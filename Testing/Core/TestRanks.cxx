@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <random>
 #include <set>
@@ -319,6 +320,39 @@ TEST_P(OpaquePixelSamples, AreRefusedIfTheyDoNotFit)
 }
 
 INSTANTIATE_TEST_SUITE_P(Counts, OpaquePixelSamples, testing::Values(1, 4, 5));
+
+// A picker of all ranks joins layers in the same order (JoinLayers() of Core/lists/PixelLayers).
+TEST(OpaquePixels, OfOneDepthHaveTheColorWithMoreBlue)
+{
+  const auto pictureOf = [](float red, float blue)
+  {
+    constexpr std::size_t pixels = std::size_t(PictureWidth) * PictureHeight;
+    const float color[4] = { red, 0.2f, blue, 1.0f };
+    OpaquePixels picture;
+    picture.ColorWords = 4;
+    picture.Depths.assign(pixels, 7u);
+    picture.Colors.resize(4 * pixels);
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+    {
+      std::memcpy(&picture.Colors[4 * pixel], color, sizeof(color));
+    }
+    return picture;
+  };
+  const OpaquePixels red = pictureOf(0.9f, 0.1f);
+  const OpaquePixels blue = pictureOf(0.1f, 0.9f);
+  for (const bool isRedFirst : { false, true })
+  {
+    OpaquePixels combined = isRedFirst ? red : blue;
+    Message message;
+    vitrine::PackOpaque(isRedFirst ? blue : red, AllPixels(), message);
+    std::vector<std::uint32_t> depths;
+    ASSERT_TRUE(vitrine::TakeNearer(message, AllPixels(), combined, depths));
+    for (const std::uint32_t pixel : AllPixels())
+    {
+      ASSERT_EQ(combined.Colors[4 * pixel], blue.Colors[4 * pixel]);
+    }
+  }
+}
 
 // Within a pixel most samples have one colour. A message has it once, and one run for all samples after the first.
 TEST(OpaquePixels, TellAColorOnceForTheSamplesOfAPixel)

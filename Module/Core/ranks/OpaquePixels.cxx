@@ -1,6 +1,7 @@
 #include "Core/ranks/OpaquePixels.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace vitrine
 {
@@ -139,6 +140,14 @@ const std::uint32_t* ColorAt(const OpaquePixels& picture, std::size_t sample)
   return &picture.Colors[sample * picture.ColorWords];
 }
 
+// Compares alpha first, then blue, green and red, as bytes in a word and words of floats stand backwards.
+bool IsLess(const std::uint32_t* a, const std::uint32_t* b, int words)
+{
+  return std::lexicographical_compare(std::make_reverse_iterator(a + words),
+    std::make_reverse_iterator(a), std::make_reverse_iterator(b + words),
+    std::make_reverse_iterator(b));
+}
+
 // Appends the colours of `count` samples. `placeOf` returns the place of the sample with this number. With several
 // samples a pixel, runs tell the samples whose colour is not that of the sample before in their pixel. The first one of
 // a pixel is not among them.
@@ -257,8 +266,7 @@ bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels&
     const auto own = picture.Colors.begin() + sample * words;
     depths[drawn[i]] = nearer[i];
     const bool isTaken = nearer[i] < picture.Depths[sample] ||
-      (nearer[i] == picture.Depths[sample] &&
-        std::lexicographical_compare(own, own + words, first, first + words));
+      (nearer[i] == picture.Depths[sample] && IsLess(&*own, &*first, picture.ColorWords));
     if (isTaken)
     {
       picture.Depths[sample] = nearer[i];

@@ -33,9 +33,9 @@ struct OpaquePixels
 void PackOpaque(const OpaquePixels& picture, const OwnedPixels& pixels, Message& message);
 
 /**
- * Takes the samples of another rank that are nearer than those of `picture`. Of equal depths the colour with the larger
- * words is taken, so that the order of ranks does not matter. Sets `depths` to the other rank's depth of each sample
- * of the `pixels`. Returns false if the message does not fit.
+ * Takes the samples of another rank that are nearer than those of `picture`. Of equal depths the larger colour is
+ * taken, so that the order of ranks does not matter: by alpha, then blue, green and red, as JoinLayers() does. Sets
+ * `depths` to the other rank's depth of each sample of the `pixels`. Returns false if the message does not fit.
  */
 bool TakeNearer(const Message& message, const OwnedPixels& pixels, OpaquePixels& picture,
   std::vector<std::uint32_t>& depths);
