@@ -238,11 +238,11 @@ std::vector<std::uint32_t> InOrder(const OpaquePixels& picture)
   return ordered;
 }
 
+}
+
 class OpaquePixelSamples : public testing::TestWithParam<int> // samples
 {
 };
-
-}
 
 TEST_P(OpaquePixelSamples, AreTheNearestWhateverTheOrderOfRanks)
 {

@@ -11,6 +11,7 @@
 #include "vtkCullerCollection.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorBudgetTransparencyPass.h"
+#include "vtkFloatArray.h"
 #include "vtkHierarchicalSBufferCuller.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -500,10 +501,10 @@ void vtkVitrineRenderView::AboutToRenderOnLocalProcess(bool interactive)
   {
     return;
   }
+  // ParaView has a pass that smooths a processed picture.
   if (this->SynchronizedRenderers->GetImageProcessingPass())
   {
-    this->GetRenderer()->SetUseFXAA(
-      false); // ParaView adds a pass that smooths the processed picture
+    this->GetRenderer()->SetUseFXAA(false);
   }
   if (in.Ranks)
   {
@@ -535,8 +536,8 @@ void vtkVitrineRenderView::Render(bool interactive, bool skipRendering)
     this->Superclass::Render(interactive, skipRendering);
   }
   in.Answers = in.AnswersOf(this->GetRenderer());
-  if (this->IsDistributed(
-        interactive)) // which a client of several may have told while the frame was drawn
+  // One of several clients may have told this while the frame was drawn.
+  if (this->IsDistributed(interactive))
   {
     in.Answers.Exchange(this->GetSession());
   }
@@ -566,8 +567,7 @@ std::string vtkVitrineRenderView::FindHindranceOfRanks(bool interactive)
   if (this->UseSSAO)
   {
     return "Vitrine does not draw ambient occlusion on several ranks, so ParaView itself draws "
-           "this "
-           "view. Set UseAmbientOcclusion to 0, or start the server or pvbatch with one rank";
+           "this view. Set UseAmbientOcclusion to 0, or start the server or pvbatch with one rank";
   }
   for (int i = 0; i < this->GetNumberOfRepresentations(); ++i)
   {
@@ -602,18 +602,15 @@ void vtkVitrineRenderView::RenderInNoOrder(bool interactive, bool skipRendering)
 //------------------------------------------------------------------------------
 void vtkVitrineRenderView::CaptureZBuffer()
 {
-  if (!this->Private->Ranks || !this->Private->Reason.empty())
+  Internals& in = *this->Private;
+  if (!in.Ranks || !in.Reason.empty())
   {
     this->Superclass::CaptureZBuffer();
   }
-}
-
-//------------------------------------------------------------------------------
-vtkFloatArray* vtkVitrineRenderView::GetCapturedZBuffer()
-{
-  Internals& in = *this->Private;
-  return in.Ranks && in.Reason.empty() ? in.Ranks->Depths()
-                                       : this->Superclass::GetCapturedZBuffer();
+  else if (vtkFloatArray* const depths = in.Ranks->Depths())
+  {
+    this->GetCapturedZBuffer()->DeepCopy(depths);
+  }
 }
 
 //------------------------------------------------------------------------------

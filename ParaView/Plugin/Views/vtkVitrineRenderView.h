@@ -27,7 +27,6 @@
 #include <string> // for names
 
 class vtkDoubleArray;
-class vtkFloatArray;
 class vtkStringArray;
 
 class VTKVITRINEPARAVIEWVIEWS_EXPORT vtkVitrineRenderView : public vtkPVRenderView
@@ -158,14 +157,11 @@ public:
    */
   void SetMaximumNumberOfPeels(int peels) override;
 
-  ///@{
   /**
-   * Capture the depths of the last frame, in [0, 1], by rows from the bottom, as vtkPVRenderView does. On several ranks
-   * they are those of the opaque geometry of all.
+   * Capture the depths of the last frame for GetCapturedZBuffer(), in [0, 1], by rows from the bottom, as
+   * vtkPVRenderView does. On several ranks they are those of the opaque geometry of all.
    */
   void CaptureZBuffer();
-  vtkFloatArray* GetCapturedZBuffer();
-  ///@}
 
   /**
    * Set how a server compresses pictures for its client, as vtkPVRenderView does.
