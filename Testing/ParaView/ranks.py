@@ -10,7 +10,7 @@ import pathlib
 import sys
 
 from paraview.simple import (
-    AddLight, ColorBy, Contour, CreateView, GroupDatasets, LoadPlugin, Plane, ProgrammableSource, QuerySelect, Render,
+    ColorBy, Contour, CreateView, GroupDatasets, LoadPlugin, Plane, ProgrammableSource, QuerySelect, Render,
     ResetCamera, Show, Text, Wavelet)
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
@@ -18,7 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 sys.dont_write_bytecode = True
 
 from pictures import SIZE, delete_all, picture  # noqa: E402
-from scenes import settings, show  # noqa: E402
+from scenes import clustered, settings, show  # noqa: E402
 
 RANKS = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
 SCENES = {}
@@ -184,12 +184,7 @@ def coincident_faces(view):
 
 @scene
 def clustered_lights(view):
-    settings(view, ClusteredLights=1)
-    for i in range(6):
-        light = AddLight(view)
-        light.Coords, light.Type = "Scene", "Positional"
-        light.Position, light.FocalPoint = [3 * (i - 2), 2, 3], [0, 0, 0]
-        light.DiffuseColor, light.Intensity = [i % 2, 0.5, 1 - i % 2], 0.3
+    clustered(view)
     spheres(view, numbers=range(5))
 
 

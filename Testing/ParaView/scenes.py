@@ -47,6 +47,16 @@ def settings(view, **values):
             setattr(view, name, value)
 
 
+def clustered(view):
+    """Add lights, which Vitrine's view assigns to clusters."""
+    settings(view, ClusteredLights=1)
+    for i in range(6):
+        light = AddLight(view)
+        light.Coords, light.Type = "Scene", "Positional"
+        light.Position, light.FocalPoint = [3 * (i - 2), 2, 3], [0, 0, 0]
+        light.DiffuseColor, light.Intensity = [i % 2, 0.5, 1 - i % 2], 0.3
+
+
 def grid():
     return Wavelet(WholeExtent=[-8, 8, -8, 8, -8, 8])
 
@@ -281,10 +291,5 @@ def coincident_faces(view):
 
 @exact
 def clustered_lights(view):
-    settings(view, ClusteredLights=1)
-    for i in range(6):
-        light = AddLight(view)
-        light.Coords, light.Type = "Scene", "Positional"
-        light.Position, light.FocalPoint = [3 * (i - 2), 2, 3], [0, 0, 0]
-        light.DiffuseColor, light.Intensity = [i % 2, 0.5, 1 - i % 2], 0.3
+    clustered(view)
     spheres(view, 5, 0.3)
