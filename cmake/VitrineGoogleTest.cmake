@@ -5,13 +5,24 @@ if (NOT CMAKE_CROSSCOMPILING AND (NOT DEFINED VITRINE_HAS_STRINGS_OF_VTK OR VITR
 elseif (NOT TARGET GTest::gtest)
   add_subdirectory(/usr/src/googletest "${PROJECT_BINARY_DIR}/googletest" EXCLUDE_FROM_ALL)
 endif ()
-include(GoogleTest)
 
-# Give CTest each test of a program. A program is asked for its tests when CTest starts, which may be while other tests
-# and builds load the machine: its libraries are then read from the disk for longer than the 5 s of CMake's default.
-function (vitrine_discover_tests target label)
-  gtest_discover_tests(${target} ${ARGN}
-    DISCOVERY_MODE PRE_TEST
-    DISCOVERY_TIMEOUT 120
-    PROPERTIES LABELS ${label})
+# Add a test of CTest for each file of a program's tests: Prefix.Name for TestName.cxx. Processes for each test would
+# start for longer than most tests run.
+function (vitrine_add_file_tests target prefix label)
+  get_target_property(files ${target} SOURCES)
+  get_target_property(folder ${target} SOURCE_DIR)
+  list(FILTER files INCLUDE REGEX "^Test.*\\.cxx$")
+  foreach (file IN LISTS files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/${file}")
+    file(STRINGS "${folder}/${file}" tests REGEX "^TEST(_F|_P)?\\(")
+    if (tests)
+      list(TRANSFORM tests REPLACE "^[^(]+\\(([^,]+),.*" "\\1.*:*/\\1.*")
+      list(REMOVE_DUPLICATES tests)
+      list(JOIN tests ":" filter)
+      get_filename_component(name "${file}" NAME_WE)
+      string(REGEX REPLACE "^Test" "${prefix}." name "${name}")
+      add_test(NAME ${name} COMMAND ${target} --gtest_brief=1 "--gtest_filter=${filter}")
+      set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT 600)
+    endif ()
+  endforeach ()
 endfunction ()
