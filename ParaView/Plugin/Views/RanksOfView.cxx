@@ -13,7 +13,9 @@
 #include "vtkPVSession.h"
 #include "vtkProcessModule.h"
 #include "vtkPropCollection.h"
+#include "vtkRenderPassCollection.h"
 #include "vtkRenderState.h"
+#include "vtkSequencePass.h"
 #include "vtkTreeCompositer.h"
 
 namespace vitrine
@@ -57,17 +59,16 @@ PictureOfRanks* PictureOf(vtkPVSynchronizedRenderer* synchronizer)
 }
 
 /**
- * Draws by another pass after the ranks have agreed on the camera. ParaView sends position and view up of rank 0. The
+ * Draws by its passes after the ranks have agreed on the camera. ParaView sends position and view up of rank 0. The
  * others normalize the latter once more, and vtkCamera::Elevation() leaves a view that does not follow from both to the
  * last bit.
  */
-class SameCamera : public vtkRenderPass
+class SameCamera : public vtkSequencePass
 {
 public:
   static SameCamera* New();
-  vtkTypeMacro(SameCamera, vtkRenderPass);
+  vtkTypeMacro(SameCamera, vtkSequencePass);
 
-  vtkSmartPointer<vtkRenderPass> Frame;
   vtkSmartPointer<vtkMultiProcessController> Ranks;
 
   void Render(const vtkRenderState* s) override
@@ -80,13 +81,7 @@ public:
     camera->GetPosition(position);
     camera->SetPosition(position[0], position[1], position[2] + 1.0);
     camera->SetPosition(position); // computes the view
-    this->Frame->Render(s);
-    this->NumberOfRenderedProps = this->Frame->GetNumberOfRenderedProps();
-  }
-
-  void ReleaseGraphicsResources(vtkWindow* window) override
-  {
-    this->Frame->ReleaseGraphicsResources(window);
+    this->Superclass::Render(s);
   }
 
 protected:
@@ -109,8 +104,10 @@ RanksOfView::RanksOfView(vtkPVSession* session, vtkRenderPass* frame)
   this->Together->SetDisableIceT(true);
   this->Together->Initialize(session);
   this->Together->SetEnabled(false);
+  vtkNew<vtkRenderPassCollection> passes;
+  passes->AddItem(frame);
   vtkNew<SameCamera> camera;
-  camera->Frame = frame;
+  camera->SetPasses(passes);
   camera->Ranks = this->Transparency->GetController();
   this->Together->SetRenderPass(camera);
   auto* const compositing =

@@ -26,6 +26,9 @@ namespace vitrine
 class RanksOfView
 {
 public:
+  /** The class of the pass that draws `frame` on all ranks. It sees what that one does. */
+  static constexpr const char* ClassOfPass = "SameCamera";
+
   /** The session is that of the view, and `frame` draws its frames. */
   RanksOfView(vtkPVSession* session, vtkRenderPass* frame);
 

@@ -184,6 +184,7 @@ vtkVitrineRenderView::vtkVitrineRenderView()
   {
     in.Ranks.emplace(this->GetSession(), in.Frame);
     in.Frame->SetTranslucentPass(in.Ranks->Pass());
+    in.Culler->AddKnownPass(vitrine::RanksOfView::ClassOfPass);
   }
   else if (in.Hindrance.empty())
   {
