@@ -301,7 +301,7 @@ TEST(MeshLevels, OfALargeFanAreMade)
     const double sagitta = 1 - std::cos(glm::pi<double>() / sides); // if all are of one length
     EXPECT_GE(level.Bound + 1e-6, sagitta);
     EXPECT_LE(level.Bound, 20 * sagitta);
-    EXPECT_LE(SampledDistance(fan, fan.Corners, level.Corners, 1000), level.Bound);
+    EXPECT_LE(SampledDistance(fan, fan.Corners, level.Corners, 100), level.Bound);
   }
 }
 
