@@ -70,7 +70,8 @@ TEST_P(CoincidentGroups, WithoutAnyIsThePictureWithoutTheTolerance)
 {
   for (const int samples : { 0, 4 })
   {
-    for (const int layers : samples > 0 ? Multisampled : SingleSampled)
+    for (const int layers :
+      samples > 0 ? std::vector<int>{ 300 } : std::vector<int>{ 16, 65, 3000 })
     {
       SCOPED_TRACE(std::to_string(layers) + " layers, samples " + std::to_string(samples));
       TestScene scene(9, 6, samples);
