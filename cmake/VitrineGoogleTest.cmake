@@ -7,7 +7,7 @@ elseif (NOT TARGET GTest::gtest)
 endif ()
 
 # Add a test of CTest for each file of a program's tests: Prefix.Name for TestName.cxx. Processes for each test would
-# start for longer than most tests run.
+# start for longer than most tests run. A line that begins a test has to name its suite, since none would run otherwise.
 function (vitrine_add_file_tests target prefix label)
   get_target_property(files ${target} SOURCES)
   get_target_property(folder ${target} SOURCE_DIR)
@@ -16,6 +16,11 @@ function (vitrine_add_file_tests target prefix label)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${folder}/${file}")
     file(STRINGS "${folder}/${file}" tests REGEX "^TEST(_F|_P)?\\(")
     if (tests)
+      set(unnamed ${tests})
+      list(FILTER unnamed EXCLUDE REGEX "\\([^,]+,")
+      if (unnamed)
+        message(FATAL_ERROR "${file}: the suite of a test is not in the line that begins the test: ${unnamed}")
+      endif ()
       list(TRANSFORM tests REPLACE "^[^(]+\\(([^,]+),.*" "\\1.*:*/\\1.*")
       list(REMOVE_DUPLICATES tests)
       list(JOIN tests ":" filter)
